@@ -1,4 +1,5 @@
-(** The exact map (L31 (a), L43 (a) and (b) of law.md): with eps = sqrt r and the slope eps tan th of a flight, the angle th
+(** The exact map (L31 (a), L43 (a) and (b) of law.md): with eps = sqrt r and the slope eps tan th of a flight,
+  the angle th
     grows by 2 beta at each contact. A state of a ray is a sequence of contacts; a flight that is tangent to the hump
     ends it.
 
@@ -44,7 +45,8 @@ Proof.
   assert (S : sin th = tan th * cos th) by (unfold tan; field; lra). destruct (double_angle (eps / w)) as [E1 E2].
   assert (D : 1 + eps / w * (eps / w) = (w * w + eps * eps) / (w * w)) by (field; lra).
   assert (B : 0 < atan (eps / w) < PI/2).
-  { destruct (atan_bound (eps / w)). split; [|lra]. rewrite <- atan_0. apply atan_increasing. now apply Rdiv_lt_0_compat. }
+  { destruct (atan_bound (eps / w)). split; [|lra]. rewrite <- atan_0. apply atan_increasing.
+    now apply Rdiv_lt_0_compat. }
   assert (P : 0 < w * w + eps * eps) by lra. set (k := eps * tan th) in *.
   assert (Ec : cos th' = cos th * slope_den w k (eps * eps) / (w * w + eps * eps))
     by (unfold th'; rewrite cos_plus, E1, E2, D, S; unfold slope_den, k; field; lra).
@@ -53,7 +55,8 @@ Proof.
   assert (C' : 0 < cos th') by (rewrite Ec; apply Rdiv_lt_0_compat; [now apply Rmult_lt_0_compat | lra]).
   assert (L : th' < PI/2).
   { apply Rnot_le_lt. intros K. assert (cos th' <= 0); [|lra]. apply cos_le_0; [exact K | unfold th'; lra]. }
-  split; [exact L|]. unfold next_slope, tan. replace (eps * (sin th' / cos th')) with (sin th' * eps / cos th') by (field; lra).
+  split; [exact L|]. unfold next_slope, tan.
+  replace (eps * (sin th' / cos th')) with (sin th' * eps / cos th') by (field; lra).
   rewrite Es, Ec. field. repeat split; lra.
 Qed.
 
@@ -62,7 +65,8 @@ Definition sequence eps (u al : nat -> R) n := forall i, (i < n)%nat -> step eps
 Definition last_slope eps (u al : nat -> R) n := eps * tan (al n + beta eps (u n)).
 Definition last_height eps (u al : nat -> R) n := cos (u n) + last_slope eps u al n * (3 * (PI/2) - u n).
 
-Lemma contacts_of_state eps n a b : 0 < eps <= 1 -> forall x th, 0 <= x < PI/2 -> th < PI/2 -> beta eps (PI/2 - x) <= th ->
+Lemma contacts_of_state eps n a b : 0 < eps <= 1 -> forall x th, 0 <= x < PI/2 -> th < PI/2 ->
+  beta eps (PI/2 - x) <= th ->
   state (eps * eps) n (sin x + eps * tan th * (x + PI)) (eps * tan th) a b ->
   exists u al, u O = PI/2 - x /\ al O = th - beta eps (u O) /\ sequence eps u al n /\ 0 < u n <= PI/2 /\
     0 <= al n /\ al n + beta eps (u n) < PI/2 /\ a = last_height eps u al n /\ b = last_slope eps u al n.
@@ -75,7 +79,8 @@ Proof.
     assert (W0 := cos_pos x Hx).
     assert (B0 : 0 < beta eps (PI/2 - x)) by (apply beta_pos; [lra | rewrite Rtrigo1.sin_shift; exact W0]).
     destruct (turned eps (cos x') th ltac:(lra) W ltac:(lra) HD) as [T1 T2].
-    replace (atan (eps / cos x')) with (beta eps (PI/2 - x')) in T1, T2 by (unfold beta; now rewrite Rtrigo1.sin_shift).
+    replace (atan (eps / cos x')) with (beta eps (PI/2 - x')) in T1, T2
+      by (unfold beta; now rewrite Rtrigo1.sin_shift).
     assert (B1 : 0 < beta eps (PI/2 - x')) by (apply beta_pos; [lra | rewrite Rtrigo1.sin_shift; exact W]).
     set (th' := th + 2 * beta eps (PI/2 - x')) in *. rewrite T2 in H.
     destruct (IH x' th' (proj1 Hx') T1 ltac:(unfold th'; lra) H) as [u [al [U0 [A0 [HS [HU [HA [HB E]]]]]]]].
@@ -93,24 +98,28 @@ Proof.
     + lra.
     + unfold th' in *. lra.
     + unfold th'. lra.
-    + replace (th - beta eps (PI / 2 - x) + beta eps (PI / 2 - x)) with th by ring. rewrite !Rtrigo1.cos_shift. rewrite X2. field.
+    + replace (th - beta eps (PI / 2 - x) + beta eps (PI / 2 - x)) with th by ring. rewrite !Rtrigo1.cos_shift.
+      rewrite X2. field.
 Qed.
 
 Lemma last_of_tangent eps u al n : 0 < eps <= 1 -> 0 < u n <= PI/2 -> 0 <= al n -> al n + beta eps (u n) < PI/2 ->
   tangent (last_height eps u al n) (last_slope eps u al n) -> exists y, last eps (u n) (al n) y.
 Proof.
   unfold last_height, last_slope. intros He Hu Ha Hb [[x [Hx E]] HT]. set (th := al n + beta eps (u n)) in *.
-  assert (HPI := PI2_1). assert (Su : 0 < sin (u n)) by (apply sin_gt_0; lra). assert (B := beta_pos eps (u n) ltac:(lra) Su).
+  assert (HPI := PI2_1). assert (Su : 0 < sin (u n)) by (apply sin_gt_0; lra).
+  assert (B := beta_pos eps (u n) ltac:(lra) Su).
   assert (T0 : 0 < th) by (unfold th; lra). assert (K : 0 < tan th) by (apply tan_gt_0; lra).
   assert (P : 0 < eps * tan th) by (apply Rmult_lt_0_compat; lra).
   set (k := eps * tan th) in *. set (c := cos (u n) + k * (3 * (PI/2) - u n)) in *.
   assert (C : 0 < c). { assert (0 <= cos (u n)) by (apply cos_ge_0; lra).
     assert (0 < k * (3 * (PI/2) - u n)) by (apply Rmult_lt_0_compat; lra). unfold c. lra. }
-  assert (X0 : 0 < x). { destruct (Rle_lt_or_eq_dec 0 x) as [|Z]; [lra | assumption|]. rewrite <- Z, sin_0 in E. lra. }
+  assert (X0 : 0 < x). { destruct (Rle_lt_or_eq_dec 0 x) as [|Z]; [lra | assumption|]. rewrite <- Z, sin_0 in E. lra.
+  }
   assert (X1 : x < PI/2).
   { destruct (Rle_lt_or_eq_dec x (PI/2)) as [|Z]; [lra | assumption|]. exfalso. subst x. rewrite sin_PI2 in E.
     set (h := Rmin k 1). assert (h <= k) by apply Rmin_l. assert (h <= 1) by apply Rmin_r.
-    assert (Ph : 0 < h) by (apply Rmin_glb_lt; lra). specialize (HT (PI/2 - h) ltac:(lra)). rewrite Rtrigo1.sin_shift in HT.
+    assert (Ph : 0 < h) by (apply Rmin_glb_lt; lra). specialize (HT (PI/2 - h) ltac:(lra)).
+    rewrite Rtrigo1.sin_shift in HT.
     assert (h * h <= k * h) by (apply Rmult_le_compat_r; lra).
     assert (Q := cosine_below h ltac:(lra)).
     assert (0 < h * h) by (now apply Rmult_lt_0_compat). lra. }
@@ -118,13 +127,16 @@ Proof.
   { assert (pr : derivable_pt (fun t => sin t - k * t) x) by reg.
     assert (Z : derive_pt (fun t => sin t - k * t) x pr = 0).
     { apply (deriv_maximum _ 0 (PI/2)); try assumption. intros t Y0 Y1. specialize (HT t ltac:(lra)). lra. }
-    assert (D : derivable_pt_lim (fun t => sin t - k * t) x (cos x - k)) by (apply is_derive_Reals; auto_derive; [easy | ring]).
+    assert (D : derivable_pt_lim (fun t => sin t - k * t) x (cos x - k))
+      by (apply is_derive_Reals; auto_derive; [easy | ring]).
     rewrite (derive_pt_eq_0 _ _ _ pr D) in Z. lra. }
   exists (PI/2 - x). assert (F : cos (PI/2 - x) - cos (u n) = sin (PI/2 - x) * (2 * PI - u n - (PI/2 - x))).
   { rewrite Rtrigo1.cos_shift, Rtrigo1.sin_shift, S, E. unfold c. field. }
   constructor; [exact He | | now split | rewrite Rtrigo1.sin_shift; symmetry; exact S | exact F].
-  split; [|lra]. split; [lra|]. apply Rnot_le_lt. intros L. assert (cos (PI/2 - x) <= cos (u n)) by (apply cos_decr_1; lra).
-  assert (0 < sin (PI/2 - x) * (2 * PI - u n - (PI/2 - x))) by (apply Rmult_lt_0_compat; [rewrite Rtrigo1.sin_shift |]; lra). lra.
+  split; [|lra]. split; [lra|]. apply Rnot_le_lt. intros L.
+  assert (cos (PI/2 - x) <= cos (u n)) by (apply cos_decr_1; lra).
+  assert (0 < sin (PI/2 - x) * (2 * PI - u n - (PI/2 - x)))
+    by (apply Rmult_lt_0_compat; [rewrite Rtrigo1.sin_shift |]; lra). lra.
 Qed.
 
 (** L43 (b). *)

@@ -12,7 +12,7 @@ From Dumbbell Require Import LawStatement Sines.
 Local Open Scope R_scope.
 
 Definition G (F J : R) := J / (F * sqrt (F * F - J * J)).
-Definition tau u J := RInt (fun x => sin x * G (PI - x) J) 0 u.
+Definition tau (u J : R) : R := RInt (fun x => sin x * G (PI - x) J) 0 u.
 
 Lemma radicand F J : 0 < J < F -> 0 < F * F - J * J /\ 0 < sqrt (F * F - J * J).
 Proof.
@@ -23,7 +23,8 @@ Lemma G_pos F J : 0 < J < F -> 0 < G F J.
 Proof. intros H. destruct (radicand F J H). apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat]; lra. Qed.
 Lemma G_mono F J J' : 0 < J -> J <= J' < F -> G F J <= G F J'.
 Proof.
-  intros H0 H. destruct (radicand F J ltac:(lra)) as [A1 A2]. destruct (radicand F J' ltac:(lra)) as [B1 B2]. unfold G, Rdiv.
+  intros H0 H. destruct (radicand F J ltac:(lra)) as [A1 A2]. destruct (radicand F J' ltac:(lra)) as [B1 B2].
+  unfold G, Rdiv.
   assert (J * J <= J' * J') by (apply Rmult_le_compat; lra).
   assert (S : sqrt (F * F - J' * J') <= sqrt (F * F - J * J)) by (apply sqrt_le_1_alt; lra).
   assert (F * sqrt (F * F - J' * J') <= F * sqrt (F * F - J * J)) by (apply Rmult_le_compat_l; lra).
@@ -60,10 +61,12 @@ Qed.
 Lemma tau_integrable J u v w : 0 < J < PI - w -> 0 <= u -> u <= v <= w -> ex_RInt (fun x => sin x * G (PI - x) J) u v.
 Proof.
   intros HJ Hu Hv. apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra.
-  intros x Hx. apply (continuous_mult sin (fun x => G (PI - x) J)); [apply continuous_sin | apply (G_continuous J x w); lra].
+  intros x Hx. apply (continuous_mult sin (fun x => G (PI - x) J));
+    [apply continuous_sin | apply (G_continuous J x w); lra].
 Qed.
 
-Theorem L45a_clock u al : 0 <= u -> 0 < al < PI/2 -> u < PI -> clock_integral (invariant u al) al = tau u (invariant u al).
+Theorem L45a_clock u al : 0 <= u -> 0 < al < PI/2 -> u < PI ->
+  clock_integral (invariant u al) al = tau u (invariant u al).
 Proof.
   intros Hu Ha Hpi. set (J := invariant u al). assert (C0 : 0 < cos al < 1).
   { split; [apply cos_gt_0; lra|]. rewrite <- cos_0. apply cos_decreasing_1; lra. }
@@ -78,23 +81,32 @@ Proof.
   replace al with (g u) at 1 by exact Eal. fold f. symmetry. rewrite <- (opp_RInt_swap f (g 0) (g u)).
   - rewrite <- C.
     + rewrite <- RInt_opp.
-      * apply RInt_ext. rewrite Rmin_left, Rmax_right by exact Hu. intros x Hx. unfold opp, scal; simpl. unfold mult; simpl.
+      * apply RInt_ext. rewrite Rmin_left, Rmax_right by exact Hu. intros x Hx. unfold opp, scal; simpl.
+        unfold mult; simpl.
         assert (B := ratio_bounds J x u HJ ltac:(lra)). unfold f, g. rewrite cos_acos by lra.
         replace (J / (J / (PI - x))) with (PI - x) by (field; lra). rewrite <- sin_PI_x. ring.
-      * apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by exact Hu. intros x Hx.
-        assert (B := ratio_bounds J x u HJ Hx). apply continuous_mult; [apply (continuous_opp (fun x => G (PI - x) J)); now apply (G_continuous J x u)|].
-        assert (Cg : continuous g x) by (apply (ex_derive_continuous g x); eexists; now apply (angle_derivative J x u)).
-        assert (Cf : continuous f (g x)) by (apply (ex_derive_continuous f (g x)); unfold f, g; auto_derive; rewrite cos_acos by lra; lra).
+      * apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by exact Hu.
+        intros x Hx.
+        assert (B := ratio_bounds J x u HJ Hx).
+        apply continuous_mult; [apply (continuous_opp (fun x => G (PI - x) J)); now apply (G_continuous J x u)|].
+        assert (Cg : continuous g x) by (apply (ex_derive_continuous g x); eexists;
+          now apply (angle_derivative J x u)).
+        assert (Cf : continuous f (g x)) by (apply (ex_derive_continuous f (g x)); unfold f, g; auto_derive;
+          rewrite cos_acos by lra; lra).
         exact (continuous_comp g f x Cg Cf).
-    + intros x Hx. assert (B := ratio_bounds J x u HJ Hx). apply (ex_derive_continuous f (g x)). unfold f, g. auto_derive.
+    + intros x Hx. assert (B := ratio_bounds J x u HJ Hx). apply (ex_derive_continuous f (g x)). unfold f, g.
+      auto_derive.
       rewrite cos_acos by lra. lra.
-    + intros x Hx. split; [now apply (angle_derivative J x u) | apply (continuous_opp (fun x => G (PI - x) J)); now apply (G_continuous J x u)].
+    + intros x Hx. split; [now apply (angle_derivative J x u) | apply (continuous_opp (fun x => G (PI - x) J));
+        now apply (G_continuous J x u)].
   - assert (Q : forall x, 0 <= x <= u -> 0 < g x < PI/2).
-    { intros x Hx. assert (B := ratio_bounds J x u HJ Hx). unfold g. destruct (acos_bound_lt (J / (PI - x)) ltac:(lra)).
+    { intros x Hx. assert (B := ratio_bounds J x u HJ Hx). unfold g.
+      destruct (acos_bound_lt (J / (PI - x)) ltac:(lra)).
       split; [assumption|]. apply Rnot_le_lt. intros K. assert (E := cos_acos (J / (PI - x)) ltac:(lra)).
       assert (cos (acos (J / (PI - x))) <= 0) by (apply cos_le_0; lra). lra. }
     assert (Q0 := Q 0 ltac:(lra)). assert (Q1 := Q u ltac:(lra)).
-    apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros a A. apply (ex_derive_continuous f a). unfold f. auto_derive.
+    apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros a A. apply (ex_derive_continuous f a). unfold f.
+    auto_derive.
     assert (0 < cos a); [|lra]. apply cos_gt_0; destruct A as [A1 A2].
     + assert (0 < Rmin (g 0) (g u)) by (apply Rmin_glb_lt; lra). lra.
     + assert (Rmax (g 0) (g u) < PI/2) by (apply Rmax_lub_lt; lra). lra.
@@ -121,7 +133,8 @@ Proof.
   destruct (radicand F J HJ) as [A1 A2]. destruct (radicand PI J ltac:(unfold F in *; lra)) as [B1 B2].
   set (a := sqrt (F * F - J * J)) in *. set (b := sqrt (PI * PI - J * J)) in *.
   assert (H : PI * a <= F * b).
-  { rewrite <- (sqrt_square PI), <- (sqrt_square F) by (unfold F; lra). unfold a, b. rewrite <- !sqrt_mult_alt by apply Rle_0_sqr.
+  { rewrite <- (sqrt_square PI), <- (sqrt_square F) by (unfold F; lra). unfold a, b.
+    rewrite <- !sqrt_mult_alt by apply Rle_0_sqr.
     apply sqrt_le_1_alt. assert (F * F <= PI * PI) by (apply Rmult_le_compat; unfold F in *; lra).
     assert (0 <= (PI * PI - F * F) * (J * J)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
   assert (S : x * (F * F) <= sin x * (PI * PI)).
@@ -133,8 +146,10 @@ Proof.
     assert (PI * PI <= 10) by interval. assert (x * x * (PI * PI) <= x * x * 10) by (apply Rmult_le_compat_l; lra).
     assert (x * 3.14 <= x * PI) by (apply Rmult_le_compat_l; lra). lra. }
   unfold G. fold a b. assert (FP : 0 < F) by (unfold F; lra).
-  assert (FF : 0 < F * F) by (now apply Rmult_lt_0_compat). assert (PB : 0 < PI * b) by (apply Rmult_lt_0_compat; lra).
-  apply Rmult_le_reg_r with (PI * b * (F * F) * a); [apply Rmult_lt_0_compat; [now apply Rmult_lt_0_compat | exact A2]|].
+  assert (FF : 0 < F * F) by (now apply Rmult_lt_0_compat).
+  assert (PB : 0 < PI * b) by (apply Rmult_lt_0_compat; lra).
+  apply Rmult_le_reg_r with (PI * b * (F * F) * a); [apply Rmult_lt_0_compat;
+    [now apply Rmult_lt_0_compat | exact A2]|].
   replace (x * (J / (PI * b)) * (PI * b * (F * F) * a)) with (x * (F * F) * (J * a)) by (field; lra).
   replace (sin x * (J / (F * a)) * (PI * b * (F * F) * a)) with (sin x * PI * (J * (F * b))) by (field; lra).
   assert (S0 : 0 <= sin x) by (apply sin_ge_0; unfold F in *; lra).
@@ -145,16 +160,19 @@ Qed.
 Theorem L45c_below u J : 0 <= u <= 0.91 -> 0 < J < PI - u -> G PI J * (u * u / 2) <= tau u J.
 Proof.
   intros Hu HJ. assert (I : is_RInt (fun x => x * G PI J) 0 u (G PI J * (u * u / 2))).
-  { replace (G PI J * (u * u / 2)) with (minus (G PI J * (u * u / 2)) (G PI J * (0 * 0 / 2))) by (unfold minus, plus, opp; simpl; field).
+  { replace (G PI J * (u * u / 2)) with (minus (G PI J * (u * u / 2)) (G PI J * (0 * 0 / 2)))
+      by (unfold minus, plus, opp; simpl; field).
     apply (is_RInt_derive (fun x => G PI J * (x * x / 2)) (fun x => x * G PI J)).
     - intros x _. auto_derive; [easy | field].
     - intros x _. apply (ex_derive_continuous (fun x => x * G PI J)). auto_derive. easy. }
-  rewrite <- (is_RInt_unique _ _ _ _ I). apply RInt_le; [lra | eexists; exact I | apply (tau_integrable J 0 u u); lra|].
+  rewrite <- (is_RInt_unique _ _ _ _ I).
+  apply RInt_le; [lra | eexists; exact I | apply (tau_integrable J 0 u u); lra|].
   intros x Hx. apply integrand_below; lra.
 Qed.
 Theorem L45c_u u J t : 0 <= u <= 0.91 -> PI/2 - 0.002 <= J < PI - u -> tau u J = 2 * t -> u <= 4.6724 * sqrt t.
 Proof.
-  intros Hu HJ Et. assert (P : 3.14 < PI < 3.15) by (split; interval). assert (L := L45c_below u J Hu ltac:(lra)). rewrite Et in L.
+  intros Hu HJ Et. assert (P : 3.14 < PI < 3.15) by (split; interval). assert (L := L45c_below u J Hu ltac:(lra)).
+  rewrite Et in L.
   assert (M := G_mono PI (PI/2 - 0.002) J ltac:(lra) ltac:(lra)).
   assert (V : 4 / (4.6724 * 4.6724) <= G PI (PI/2 - 0.002)) by (unfold G; interval).
   assert (U2 : 0 <= u * u) by (apply Rmult_le_pos; lra).

@@ -22,10 +22,12 @@ Qed.
 Lemma D0_falls z a b : 0 <= z -> 1 <= a <= b -> 0 <= D0 z b <= D0 z a.
 Proof.
   intros Hz Hab. unfold D0. destruct (root_step a ltac:(lra)) as [-> P]. destruct (root_step b ltac:(lra)) as [-> Q].
-  assert (sqrt a <= sqrt b) by (apply sqrt_le_1; lra). assert (sqrt (a - 1) <= sqrt (b - 1)) by (apply sqrt_le_1; lra).
+  assert (sqrt a <= sqrt b) by (apply sqrt_le_1; lra).
+  assert (sqrt (a - 1) <= sqrt (b - 1)) by (apply sqrt_le_1; lra).
   assert (I : 0 < / (sqrt b + sqrt (b - 1)) <= / (sqrt a + sqrt (a - 1)))
     by (split; [apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]).
-  split; [apply Rmult_le_pos; [exact Hz | apply pow_le; lra] | apply Rmult_le_compat_l; [exact Hz | apply pow_incr; lra]].
+  split; [apply Rmult_le_pos; [exact Hz | apply pow_le; lra] | apply Rmult_le_compat_l; [exact Hz | apply pow_incr;
+    lra]].
 Qed.
 Lemma D0_pos z a : 0 < z -> 1 <= a -> 0 < D0 z a.
 Proof.
@@ -49,7 +51,8 @@ Lemma inverse_cube y : 0 <= y -> 1 - 3 * y <= (/ (1 + y)) ^ 3.
 Proof.
   intros Hy. rewrite pow_inv. apply Rmult_le_reg_r with ((1 + y) ^ 3); [apply pow_lt; lra|].
   rewrite Rinv_l by (apply pow_nonzero; lra). assert (0 <= y * y) by now apply Rmult_le_pos.
-  assert (0 <= y * y * y) by now apply Rmult_le_pos. assert (0 <= y * y * y * y) by now apply Rmult_le_pos. simpl. lra.
+  assert (0 <= y * y * y) by now apply Rmult_le_pos. assert (0 <= y * y * y * y) by now apply Rmult_le_pos. simpl.
+  lra.
 Qed.
 Lemma D0_raised z n x : 0 <= z -> 2 <= n -> 0 <= x -> D0 z n * (1 - 1.08 * x) <= D0 z (n + x).
 Proof.
@@ -59,7 +62,8 @@ Proof.
     [interval | apply sqrt_le_1; lra]). assert (B : 1 <= b) by (rewrite <- sqrt_1; apply sqrt_le_1; lra).
   assert (X1 := sqrt_raised n x ltac:(lra) Hx). assert (X2 := sqrt_raised (n - 1) x ltac:(lra) Hx). fold a in X1.
   fold b in X2. set (y := x * (2.5/7)). assert (Y : 0 <= y) by (unfold y; lra).
-  assert (I : / a <= / 1.4) by (apply Rinv_le_contravar; lra). assert (J : / b <= / 1) by (apply Rinv_le_contravar; lra).
+  assert (I : / a <= / 1.4) by (apply Rinv_le_contravar; lra).
+  assert (J : / b <= / 1) by (apply Rinv_le_contravar; lra).
   assert (E : x / (2 * a) + x / (2 * b) = x / 2 * (/ a * / b) * (a + b)) by (field; lra).
   assert (K : / a * / b <= / 1.4 * / 1) by (apply Rmult_le_compat; try assumption; left; apply Rinv_0_lt_compat; lra).
   assert (L : x / 2 * (/ a * / b) * (a + b) <= y * (a + b)).
@@ -70,7 +74,8 @@ Proof.
   apply Rle_trans with ((/ (a + b)) ^ 3 * (/ (1 + y)) ^ 3).
   - apply Rmult_le_compat_l; [apply pow_le; left; apply Rinv_0_lt_compat; lra|].
     apply Rle_trans with (2 := inverse_cube y Y). unfold y. lra.
-  - rewrite <- Rpow_mult_distr, <- Rinv_mult. apply pow_incr. split; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|].
+  - rewrite <- Rpow_mult_distr, <- Rinv_mult. apply pow_incr.
+    split; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|].
     apply Rinv_le_contravar; lra.
 Qed.
 
@@ -84,24 +89,28 @@ Proof.
   assert (C : b < c) by (apply sqrt_lt_1; lra). assert (AB : a < b) by (apply sqrt_lt_1; lra).
   assert (Ec : c * c - b * b = 1) by (unfold b, c; rewrite !sqrt_sqrt by lra; ring).
   assert (L : / (4 * b) - / (4 * c) = / (4 * (b * c * (b + c)))).
-  { replace (/ (4 * b) - / (4 * c)) with ((c * c - b * b) / (4 * (b * c * (b + c)))) by (field; lra). rewrite Ec. field. lra. }
+  { replace (/ (4 * b) - / (4 * c)) with ((c * c - b * b) / (4 * (b * c * (b + c)))) by (field; lra). rewrite Ec.
+    field. lra. }
   rewrite L, pow_inv by lra. apply Rinv_le_contravar; [apply pow_lt; lra|].
   assert ((a + b) ^ 3 <= (b + b) ^ 3) by (apply pow_incr; lra).
   assert (b * b * b <= b * b * c) by (apply Rmult_le_compat_l; [apply Rlt_le, Rmult_lt_0_compat|]; lra).
   assert (b * b * c <= b * c * c)
-    by (replace (b * b * c) with (b * c * b) by ring; apply Rmult_le_compat_l; [apply Rlt_le, Rmult_lt_0_compat|]; lra).
+    by (replace (b * b * c) with (b * c * b) by ring; apply Rmult_le_compat_l; [apply Rlt_le, Rmult_lt_0_compat|];
+      lra).
   simpl in *. lra.
 Qed.
 Lemma cube_below n : cube (S (S n)) <= / (4 * sqrt (INR (S n))) - / (4 * sqrt (INR (S (S n)))).
 Proof.
   unfold cube. assert (P0 := pos_INR n). rewrite !S_INR. set (x := INR n) in *.
-  destruct (root_step (x + 1 + 1 + 1) ltac:(lra)) as [E P]. replace (x + 1 + 1 + 1 - 1) with (x + 1 + 1) in * by ring. rewrite E.
+  destruct (root_step (x + 1 + 1 + 1) ltac:(lra)) as [E P]. replace (x + 1 + 1 + 1 - 1) with (x + 1 + 1) in * by ring.
+  rewrite E.
   set (a := sqrt (x + 1)) in *. set (b := sqrt (x + 1 + 1)) in *. set (c := sqrt (x + 1 + 1 + 1)) in *.
   assert (A : 0 < a) by (apply sqrt_lt_R0; lra). assert (AB : a < b) by (apply sqrt_lt_1; lra).
   assert (BC : b < c) by (apply sqrt_lt_1; lra).
   assert (Ea : b * b - a * a = 1) by (unfold a, b; rewrite !sqrt_sqrt by lra; ring).
   assert (L : / (4 * a) - / (4 * b) = / (4 * (a * b * (a + b)))).
-  { replace (/ (4 * a) - / (4 * b)) with ((b * b - a * a) / (4 * (a * b * (a + b)))) by (field; lra). rewrite Ea. field. lra. }
+  { replace (/ (4 * a) - / (4 * b)) with ((b * b - a * a) / (4 * (a * b * (a + b)))) by (field; lra). rewrite Ea.
+    field. lra. }
   rewrite L, pow_inv by lra. apply Rinv_le_contravar; [repeat apply Rmult_lt_0_compat; lra|].
   assert ((b + b) ^ 3 <= (c + b) ^ 3) by (apply pow_incr; lra).
   assert (a * b * (a + b) <= b * b * (b + b))
@@ -120,13 +129,15 @@ Proof.
   induction n as [|n [IH1 IH2]]; [rewrite Nat.add_0_r; split; intros; lra|]. rewrite Nat.add_succ_r, sum_Sn.
   change plus with Rplus. split.
   - assert (A := cube_above (S (M + n))). lra.
-  - intros HM. specialize (IH2 HM). destruct M as [|M]; [lia|]. simpl Nat.add in *. assert (A := cube_below (M + n)). lra.
+  - intros HM. specialize (IH2 HM). destruct M as [|M]; [lia|]. simpl Nat.add in *. assert (A := cube_below (M + n)).
+    lra.
 Qed.
 Lemma inverse_roots_vanish M : is_lim_seq (fun n => / (4 * sqrt (INR (S (M + n))))) 0.
 Proof.
   apply (is_lim_seq_le_le (fun _ => 0) _ (fun n => / sqrt (INR (S n)))).
   - intros n. assert (P : 0 < sqrt (INR (S n))) by (apply sqrt_lt_R0, lt_0_INR; lia).
-    assert (Q : sqrt (INR (S n)) <= sqrt (INR (S (M + n)))) by (apply sqrt_le_1; try apply pos_INR; apply le_INR; lia).
+    assert (Q : sqrt (INR (S n)) <= sqrt (INR (S (M + n))))
+      by (apply sqrt_le_1; try apply pos_INR; apply le_INR; lia).
     split; [left; apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra].
   - apply is_lim_seq_const.
   - apply (is_lim_seq_inv (fun n => sqrt (INR (S n))) p_infty); [|discriminate].
@@ -141,7 +152,8 @@ Proof.
     - intros n. destruct (sums_between 1 n) as [_ H]. specialize (H (le_n _)).
       assert (K : sum_n cube n <= sum_n cube (1 + n)) by (simpl; rewrite sum_Sn; change plus with Rplus;
         assert (H0 := cube_pos (S n)); lra).
-      assert (0 < / (4 * sqrt (INR (1 + n)))) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; [lra | apply sqrt_lt_R0, lt_0_INR; lia]).
+      assert (0 < / (4 * sqrt (INR (1 + n)))) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat;
+        [lra | apply sqrt_lt_R0, lt_0_INR; lia]).
       lra. }
   destruct B as [l Hl]. now exists l.
 Qed.

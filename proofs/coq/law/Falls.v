@@ -1,4 +1,5 @@
-(** L43 (c) and L44 of law.md: J = (pi - u) cos al falls at every step, for every mass ratio; the middle invariant Q is above
+(** L43 (c) and L44 of law.md: J = (pi - u) cos al falls at every step, for every mass ratio;
+  the middle invariant Q is above
     it. For the windows of L53 also by how much: |X| <= d^2 cot U.
 
     before_is, after_is == J and J' in terms of X, X', beta, beta'
@@ -67,7 +68,8 @@ Qed.
 Lemma signs : 0 < sin d /\ 0 < cos d /\ 0 < sin U <= 1 /\ 0 < cos U /\ d * cos d < sin d /\ sin d < d /\ 0 < cos th /\
   0 <= sin th /\ 0 < cos b /\ 0 < cos b' /\ 0 < F.
 Proof.
-  destruct middle_range as [HU [Hd _]]. destruct betas as [B1 [B2 _]]. assert (P := PI2_1). destruct (SIN_bound U) as [_ S1].
+  destruct middle_range as [HU [Hd _]]. destruct betas as [B1 [B2 _]]. assert (P := PI2_1).
+  destruct (SIN_bound U) as [_ S1].
   repeat split; try (apply sin_gt_0; lra); try (apply cos_gt_0; lra); try (apply sin_ge_0; lra); try exact S1.
   - apply tangent_above; lra. - apply sin_lt_x; lra. - unfold F, U, middle in *. lra.
 Qed.
@@ -75,7 +77,8 @@ Lemma X_is : - (X * sin u) = d * cos U * sin d - sin U * (sin d - d * cos d).
 Proof. destruct sines. destruct sine_u as [E _]. unfold X. rewrite E. field. rewrite <- E. lra. Qed.
 Lemma X_neg : X <= 0.
 Proof.
-  destruct sines as [S1 S2]. destruct signs as [D1 [D2 [U1 [U2 [T [L _]]]]]]. destruct middle_range as [HU [Hd [E _]]].
+  destruct sines as [S1 S2]. destruct signs as [D1 [D2 [U1 [U2 [T [L _]]]]]].
+  destruct middle_range as [HU [Hd [E _]]].
   assert (P := PI2_1). assert (C := sin2_cos2 d). unfold Rsqr in C.
   (* cos U sin (pi/2 - d) >= sin U cos (pi/2 - d) *)
   assert (K : sin U * sin d <= cos U * cos d).
@@ -83,11 +86,13 @@ Proof.
   (* (sin d - d cos d) cos d <= d sin^2 d, as sin 2d <= 2 d *)
   assert (G : (sin d - d * cos d) * cos d <= d * (sin d * sin d)).
   { assert (H : sin (2 * d) < 2 * d) by (apply sin_lt_x; lra). rewrite sin_2a in H.
-    replace (d * (sin d * sin d)) with (d - d * (cos d * cos d)) by (replace (sin d * sin d) with (1 - cos d * cos d) by lra; ring).
+    replace (d * (sin d * sin d)) with (d - d * (cos d * cos d))
+      by (replace (sin d * sin d) with (1 - cos d * cos d) by lra; ring).
     lra. }
   assert (W : sin U * (sin d - d * cos d) <= d * cos U * sin d).
   { apply Rmult_le_reg_r with (cos d * sin d); [now apply Rmult_lt_0_compat|].
-    replace (sin U * (sin d - d * cos d) * (cos d * sin d)) with ((sin U * sin d) * ((sin d - d * cos d) * cos d)) by ring.
+    replace (sin U * (sin d - d * cos d) * (cos d * sin d))
+      with ((sin U * sin d) * ((sin d - d * cos d) * cos d)) by ring.
     replace (d * cos U * sin d * (cos d * sin d)) with ((cos U * cos d) * (d * (sin d * sin d))) by ring.
     apply Rmult_le_compat; try assumption; apply Rmult_le_pos; lra. }
   assert (E2 := X_is). apply Rmult_le_reg_r with (sin u); lra.
@@ -108,15 +113,18 @@ Proof.
   destruct middle_range as [_ [Hd _]]. destruct betas as [B _]. assert (0 < sin b) by (apply sin_gt_0; lra).
   assert (0 <= d * sin th * sin b) by (repeat apply Rmult_le_pos; lra). destruct (COS_bound b) as [_ C1].
   assert (cos b * cos th * X <= 0) by (assert (0 <= cos b * cos th * - X) by (repeat apply Rmult_le_pos; lra); lra).
-  assert (cos b * (cos th * F) <= 1 * (cos th * F)) by (apply Rmult_le_compat_r; [apply Rmult_le_pos|]; lra). unfold Q. lra.
+  assert (cos b * (cos th * F) <= 1 * (cos th * F)) by (apply Rmult_le_compat_r; [apply Rmult_le_pos|]; lra).
+  unfold Q. lra.
 Qed.
 Theorem L44_after : invariant u' (th + b') <= Q.
 Proof.
   rewrite after_is. destruct signs as [D1 [D2 [U1 [U2 [T [L [C [S [_ [Cb HF]]]]]]]]]]. assert (HX := X'_neg).
   destruct middle_range as [_ [Hd _]]. destruct betas as [_ [B _]]. assert (0 < sin b') by (apply sin_gt_0; lra).
   assert (0 <= d * sin th * sin b') by (repeat apply Rmult_le_pos; lra). destruct (COS_bound b') as [_ C1].
-  assert (cos b' * cos th * X' <= 0) by (assert (0 <= cos b' * cos th * - X') by (repeat apply Rmult_le_pos; lra); lra).
-  assert (cos b' * (cos th * F) <= 1 * (cos th * F)) by (apply Rmult_le_compat_r; [apply Rmult_le_pos|]; lra). unfold Q. lra.
+  assert (cos b' * cos th * X' <= 0) by (assert (0 <= cos b' * cos th * - X')
+    by (repeat apply Rmult_le_pos; lra); lra).
+  assert (cos b' * (cos th * F) <= 1 * (cos th * F)) by (apply Rmult_le_compat_r; [apply Rmult_le_pos|]; lra).
+  unfold Q. lra.
 Qed.
 (** (16). *)
 Theorem L53_gap : Q - invariant u (th - b) <= cos th * (d * d * cos U / sin U) + Q * (b * b) / 2 + d * sin th * b.
@@ -148,31 +156,40 @@ Proof.
   assert (Y : sin u * sin u' = sin U * sin U - sin d * sin d).
   { rewrite Eu, Eu'. replace ((sin U * cos d + cos U * sin d) * (sin U * cos d - cos U * sin d)) with
       (sin U * sin U * (cos d * cos d) - cos U * cos U * (sin d * sin d)) by ring.
-    replace (cos d * cos d) with (1 - sin d * sin d) by lra. replace (cos U * cos U) with (1 - sin U * sin U) by lra. ring. }
+    replace (cos d * cos d) with (1 - sin d * sin d) by lra. replace (cos U * cos U) with (1 - sin U * sin U) by lra.
+    ring. }
   assert (P : 0 < sin u * sin u') by (apply Rmult_lt_0_compat; lra).
   assert (N : X - X' = 2 * (d * (sin d * sin d) - (d - sin d * cos d) * (sin U * sin U)) / (sin u * sin u')).
   { unfold X, X'. transitivity (sin d * sin U * (sin u + sin u') / (sin u * sin u') - 2 * d); [field; lra|].
-    replace (sin u + sin u') with (2 * sin U * cos d) by (rewrite Eu, Eu'; ring). rewrite Y. field. rewrite <- Y. lra. }
-  assert (SU : 0 <= sin U * sin U <= 1) by (assert (0 <= cos U * cos U) by apply Rle_0_sqr; split; [apply Rle_0_sqr | lra]).
+    replace (sin u + sin u') with (2 * sin U * cos d) by (rewrite Eu, Eu'; ring). rewrite Y. field. rewrite <- Y. lra.
+    }
+  assert (SU : 0 <= sin U * sin U <= 1) by (assert (0 <= cos U * cos U) by apply Rle_0_sqr; split;
+    [apply Rle_0_sqr | lra]).
   assert (W : d * (cos d * cos d) < sin d * cos d) by (rewrite <- Rmult_assoc; now apply Rmult_lt_compat_r).
-  assert (V : 0 <= d - sin d * cos d) by (destruct (COS_bound d); assert (sin d * cos d <= sin d * 1) by (apply Rmult_le_compat_l; lra); lra).
+  assert (V : 0 <= d - sin d * cos d) by (destruct (COS_bound d); assert (sin d * cos d <= sin d * 1)
+    by (apply Rmult_le_compat_l; lra); lra).
   assert (G : (d - sin d * cos d) * (sin U * sin U) <= (d - sin d * cos d) * 1) by (apply Rmult_le_compat_l; lra).
-  assert (E : d * (sin d * sin d) = d - d * (cos d * cos d)) by (replace (sin d * sin d) with (1 - cos d * cos d) by lra; ring).
+  assert (E : d * (sin d * sin d) = d - d * (cos d * cos d))
+    by (replace (sin d * sin d) with (1 - cos d * cos d) by lra; ring).
   assert (0 < X - X'); [|lra]. rewrite N. apply Rdiv_lt_0_compat; lra.
 Qed.
 (** J falls, if the rod is not turned beyond the upright by the contact at u'. *)
 Theorem L44_falls : th + b' < PI/2 -> invariant u' (th + b') < invariant u (th - b).
 Proof.
   intros Hal. rewrite before_is, after_is. destruct sines as [S1 S2]. destruct betas as [B1 [B2 B3]].
-  destruct signs as [D1 [D2 [U1 [U2 [T [L [C [S [Cb [Cb' HF]]]]]]]]]]. destruct middle_range as [HU [Hd _]]. assert (P := PI2_1).
-  assert (Cc : cos b' < cos b) by (apply cos_decreasing_1; lra). assert (Ss : sin b < sin b') by (apply sin_increasing_1; lra).
+  destruct signs as [D1 [D2 [U1 [U2 [T [L [C [S [Cb [Cb' HF]]]]]]]]]]. destruct middle_range as [HU [Hd _]].
+  assert (P := PI2_1).
+  assert (Cc : cos b' < cos b) by (apply cos_decreasing_1; lra).
+  assert (Ss : sin b < sin b') by (apply sin_increasing_1; lra).
   assert (K : 0 < cos (th + b')) by (apply cos_gt_0; lra). rewrite cos_plus in K. assert (HX := X_falls).
   assert (HF' : 0 < F + X').
-  { assert (E := lever u' ltac:(lra)). fold b' in E. assert (CC : 0 < cos b' * cos th) by (now apply Rmult_lt_0_compat).
+  { assert (E := lever u' ltac:(lra)). fold b' in E.
+    assert (CC : 0 < cos b' * cos th) by (now apply Rmult_lt_0_compat).
     assert (0 < F * (cos th * cos b' - sin th * sin b')) by (apply Rmult_lt_0_compat; lra).
     apply Rmult_lt_reg_l with (cos b' * cos th); [exact CC|]. unfold X'.
     assert (0 <= cos b' * cos th * d) by (apply Rmult_le_pos; lra). lra. }
-  assert (A : 0 < cos b * (X - X') + (cos b - cos b') * (F + X')) by (apply Rplus_lt_0_compat; apply Rmult_lt_0_compat; lra).
+  assert (A : 0 < cos b * (X - X') + (cos b - cos b') * (F + X'))
+    by (apply Rplus_lt_0_compat; apply Rmult_lt_0_compat; lra).
   assert (0 < cos th * (cos b * (X - X') + (cos b - cos b') * (F + X'))) by (now apply Rmult_lt_0_compat).
   assert (0 <= d * sin th * (sin b' - sin b)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | lra]). lra.
 Qed.

@@ -1,4 +1,5 @@
-(** Statement: the law for every mass ratio (Theorem B of law.md) and the conditions it is proved from (law.md, "What the
+(** Statement: the law for every mass ratio (Theorem B of law.md) and the conditions it is proved from (law.md,
+  "What the
     certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
     Definitions only.
 
@@ -13,7 +14,7 @@ From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Statement.
 Local Open Scope R_scope.
 
-Definition growth := RInt (fun a => sin (PI / 2 / cos a)) 0 (PI / 3).
+Definition growth : R := RInt (fun a => sin (PI / 2 / cos a)) 0 (PI / 3).
 Definition cube (n : nat) := (sqrt (INR (S n)) - sqrt (INR n)) ^ 3.
 Definition step_constant := Rpower 3 (- (7 / 4)) * / sqrt PI.
 Definition law_constant := 2 * step_constant * Series cube.   (* L55 (a): 12 |zeta(-1/2)| k0 *)
@@ -26,12 +27,13 @@ Definition the_law := forall q N, from_nine q -> N_star q N ->
   (Z.of_nat N <= 2 + Int_part (growth * sqrt q))%Z.
 Definition law_everywhere := forall q N, 1 <= q -> N_star q N -> 0.980 <= INR N - growth * sqrt q <= 2.115.
 
-(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u; al is half the sum of
+(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u;
+  al is half the sum of
     the angles of the flights before and after it (L43), beta half their difference. *)
 Definition beta eps u := atan (eps / sin u).
 Definition invariant u al := (PI - u) * cos al.
-Definition clock_integral J x := RInt (fun a => sin (J / cos a)) x (acos (J / PI)).
-Definition clock eps u al := clock_integral (invariant u al) al / (2 * eps).
+Definition clock_integral J x : R := RInt (fun a => sin (J / cos a)) x (acos (J / PI)).
+Definition clock eps u al : R := clock_integral (invariant u al) al / (2 * eps).
 
 Record step (eps u al u' al' : R) : Prop := {
   eps_range : 0 < eps <= 1;

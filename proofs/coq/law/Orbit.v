@@ -1,4 +1,5 @@
-(** The orbit of a critical ratio (Theorem 2 (c), L43, the first contact of L44): a sequence of contacts that ends with a
+(** The orbit of a critical ratio (Theorem 2 (c), L43,
+  the first contact of L44): a sequence of contacts that ends with a
     tangent flight. The corner orbit starts at its virtual contact 0, the top orbit at its contact 1.
 
     orbit             == its contacts (u i, al i), i = 0, ..., n, and the point y of tangency
@@ -43,8 +44,10 @@ Proof.
     destruct (turned eps (cos x) 0 ltac:(lra) W ltac:(lra) HD) as [T1 T2]. rewrite T2 in HS.
     replace (atan (eps / cos x)) with (beta eps (PI/2 - x)) in T1, HS by (unfold beta; now rewrite Rtrigo1.sin_shift).
     assert (B : 0 < beta eps (PI/2 - x)) by (apply beta_pos; [lra | rewrite Rtrigo1.sin_shift; exact W]).
-    destruct (contacts_of_state eps k a b He x _ X1 T1 ltac:(lra) HS) as [u [al [U0 [A0 [S [HU [HA [HB [-> ->]]]]]]]]].
-    destruct (last_of_tangent eps u al k He HU HA HB HT) as [y L]. exists k, u, al, y. constructor; [exact S | exact L|].
+    destruct (contacts_of_state eps k a b He x _ X1 T1 ltac:(lra) HS) as [u [al [U0 [A0 [S [HU [HA [HB [->
+      ->]]]]]]]]].
+    destruct (last_of_tangent eps u al k He HU HA HB HT) as [y L]. exists k, u, al, y.
+    constructor; [exact S | exact L|].
     right. split; [lia|]. exists x. split; [|split; [lra | split; [exact U0 | rewrite A0, U0; ring]]].
     split; [|lra]. destruct (Rle_lt_or_eq_dec 0 x) as [P|X0]; [lra | exact P|]. exfalso. rewrite <- X0, sin_0 in X2.
     assert (0 < eps * eps) by (apply Rmult_lt_0_compat; lra). lra.
@@ -55,15 +58,18 @@ Proof.
     rewrite <- K in HS at 2.
     destruct (contacts_of_state eps k a b He 0 _ ltac:(lra) (proj2 A1) ltac:(lra) HS) as
       [u [al [U0 [A0 [S [HU [HA [HB [-> ->]]]]]]]]].
-    destruct (last_of_tangent eps u al k He HU HA HB HT) as [y L]. exists k, u, al, y. constructor; [exact S | exact L|].
+    destruct (last_of_tangent eps u al k He HU HA HB HT) as [y L]. exists k, u, al, y.
+    constructor; [exact S | exact L|].
     left. split; [lia|]. split; [lra | rewrite A0, U0; lra].
 Qed.
 
 (** The first contact of the top orbit. *)
 Lemma root_between t c : 0 <= t <= 1 -> 0 < c -> c * c * (1 + t) = 1 -> 1 - t / 2 <= c <= 1 - t / 2 + t * t / 2.
 Proof.
-  intros Ht Hc E. assert (T2 : 0 <= t * t) by (apply Rmult_le_pos; lra). assert (T3 : 0 <= t * t * t) by (apply Rmult_le_pos; lra).
-  assert (t * t * t <= t * t * 1) by (apply Rmult_le_compat_l; lra). assert (T4 : 0 <= t * t * t * t) by (apply Rmult_le_pos; lra).
+  intros Ht Hc E. assert (T2 : 0 <= t * t) by (apply Rmult_le_pos; lra).
+  assert (T3 : 0 <= t * t * t) by (apply Rmult_le_pos; lra).
+  assert (t * t * t <= t * t * 1) by (apply Rmult_le_compat_l; lra).
+  assert (T4 : 0 <= t * t * t * t) by (apply Rmult_le_pos; lra).
   assert (T5 : 0 <= t * t * t * t * t) by (apply Rmult_le_pos; lra).
   assert (t * t * t * t <= t * t * t * 1) by (apply Rmult_le_compat_l; lra). split.
   - apply Rnot_lt_le. intros K. assert (c * c < (1 - t / 2) * (1 - t / 2)) by (apply Rmult_le_0_lt_compat; lra).
@@ -74,11 +80,13 @@ Proof.
 Qed.
 Lemma arcsine x r : 0 < x < PI/2 -> sin x = r -> r <= 1/1000000 -> r <= x <= 1.000001 * r.
 Proof.
-  assert (V : 0.09 <= sin 0.1) by interval. intros Hx E Hr. assert (A : sin x < x) by (apply sin_lt_x; lra). assert (B : x < 0.1).
+  assert (V : 0.09 <= sin 0.1) by interval. intros Hx E Hr. assert (A : sin x < x) by (apply sin_lt_x; lra).
+  assert (B : x < 0.1).
   { apply Rnot_le_lt. intros K. assert (sin 0.1 <= sin x) by (apply sin_incr_1; lra).
     lra. }
   assert (C := sine_below x ltac:(lra)).
-  assert (x * x <= 0.1 * 0.1) by (apply Rmult_le_compat; lra). assert (x * x * x <= 0.1 * 0.1 * x) by (apply Rmult_le_compat_r; lra).
+  assert (x * x <= 0.1 * 0.1) by (apply Rmult_le_compat; lra).
+  assert (x * x * x <= 0.1 * 0.1 * x) by (apply Rmult_le_compat_r; lra).
   assert (X2 : x <= 2 * r) by lra. assert (x * x <= 2 / 1000000 * (2 / 1000000)) by (apply Rmult_le_compat; lra).
   assert (x * x * x <= 2 / 1000000 * (2 / 1000000) * x) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
@@ -86,19 +94,23 @@ Lemma top_first eps u al : 0 < eps <= 1/1000 -> top_start eps u al ->
   PI/2 <= invariant u al <= PI/2 + 0.2147 * (eps * eps).
 Proof.
   intros He [x [Hx [Sx [-> ->]]]]. set (r := eps * eps) in *.
-  assert (R0 : 0 < r) by (apply Rmult_lt_0_compat; lra). assert (R1 : r <= 1/1000 * (1/1000)) by (apply Rmult_le_compat; lra).
+  assert (R0 : 0 < r) by (apply Rmult_lt_0_compat; lra).
+  assert (R1 : r <= 1/1000 * (1/1000)) by (apply Rmult_le_compat; lra).
   destruct (arcsine x r Hx Sx ltac:(lra)) as [X1 X2]. unfold invariant. set (c := cos (beta eps (PI/2 - x))).
-  assert (W : 0 < cos x) by (apply cos_gt_0; lra). assert (B := beta_pos eps (PI/2 - x) ltac:(lra) ltac:(rewrite Rtrigo1.sin_shift; exact W)).
+  assert (W : 0 < cos x) by (apply cos_gt_0; lra).
+  assert (B := beta_pos eps (PI/2 - x) ltac:(lra) ltac:(rewrite Rtrigo1.sin_shift; exact W)).
   assert (C : 0 < c) by (apply cos_gt_0; lra). set (t := r / (1 - r * r)).
   assert (RR : 0 <= r * r <= 1/1000000 * r) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (E2 : cos x * cos x = 1 - r * r) by (assert (K := sin2_cos2 x); unfold Rsqr in K; rewrite Sx in K; lra).
   assert (Ec : c * c * (1 + t) = 1).
   { assert (K := sin2_cos2 (beta eps (PI/2 - x))). unfold Rsqr in K. fold c in K.
-    assert (S : sin (beta eps (PI/2 - x)) = eps / cos x * c) by (unfold c, beta; rewrite Rtrigo1.sin_shift; apply sin_of_atan).
+    assert (S : sin (beta eps (PI/2 - x)) = eps / cos x * c)
+      by (unfold c, beta; rewrite Rtrigo1.sin_shift; apply sin_of_atan).
     rewrite S in K. rewrite <- K at 2. unfold t. rewrite <- E2. unfold r. field. lra. }
   assert (T1 : r <= t <= 1.00001 * r).
   { assert (P : t * (1 - r * r) = r) by (unfold t; field; lra). assert (0 < t) by (apply Rdiv_lt_0_compat; lra).
-    assert (t * (r * r) <= t * (1/1000000)) by (apply Rmult_le_compat_l; lra). assert (0 <= t * (r * r)) by (apply Rmult_le_pos; lra). lra. }
+    assert (t * (r * r) <= t * (1/1000000)) by (apply Rmult_le_compat_l; lra).
+    assert (0 <= t * (r * r)) by (apply Rmult_le_pos; lra). lra. }
   destruct (root_between t c ltac:(lra) C Ec) as [C1 C2]. assert (P1 : 3.14159 < PI < 3.14160) by (split; interval).
   assert (TT : 0 <= t * t <= 0.00001 * t) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (XT : 0 <= x * t <= 0.00001 * t) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
@@ -127,7 +139,8 @@ Lemma step_at i : (i < n)%nat -> let th := al i + beta eps (u i) in
 Proof.
   intros Hi. destruct (H i Hi) as [A [B1 B2] [C1 C2] D E]. cbv zeta. assert (HPI := PI2_1).
   assert (S1 : 0 < sin (u i)) by (apply sin_gt_0; lra). assert (S2 : 0 < sin (u (S i))) by (apply sin_gt_0; lra).
-  assert (Q1 := beta_pos eps _ (proj1 A) S1). assert (Q2 := beta_pos eps _ (proj1 A) S2). repeat split; try exact E; lra.
+  assert (Q1 := beta_pos eps _ (proj1 A) S1). assert (Q2 := beta_pos eps _ (proj1 A) S2).
+  repeat split; try exact E; lra.
 Qed.
 Lemma invariant_falls i j : (i <= j <= n)%nat -> invariant (u j) (al j) <= invariant (u i) (al i).
 Proof.

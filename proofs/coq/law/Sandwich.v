@@ -26,14 +26,14 @@ Theorem sandwich_above j : (j <= m)%nat -> T j - (INR j + 1) <= e + z * (sum_n c
 Proof.
   induction j as [|j IH]; intros Hj.
   - rewrite Hend, sum_O. unfold cube. simpl. rewrite sqrt_1, sqrt_0. lra.
-  - rewrite (Hstep j Hj), sum_Sn, S_INR. change plus with Rplus. destruct (HD j Hj) as [_ U]. assert (K := IH ltac:(lia)).
+  - rewrite (Hstep j Hj), sum_Sn, S_INR. change plus with Rplus. destruct (HD j Hj) as [_ U].
+    assert (K := IH ltac:(lia)).
     assert (A := clock_above (S j) Hj). rewrite S_INR in A. assert (P := pos_INR j).
     assert (M := D0_falls z (INR (S (S j))) (T (S j)) Hz ltac:(rewrite !S_INR; lra)). rewrite D0_at in M. lra.
 Qed.
 
 Variables (U : nat -> R) (v x : R).
 Hypothesis Hv : 0 <= v.
-Hypothesis Hx : 0 <= x <= 1/2.
 Hypothesis Hsum : e + z * (Series cube - 1) <= x.
 Hypothesis HL : forall j, (j < m)%nat -> D0 z (T (S j)) * (1 - 1.3 * U j) <= D j.
 Hypothesis HU : forall j, (j < m)%nat -> U j <= v * (sqrt (T (S j)) + sqrt (T (S j) - 1)).
@@ -49,7 +49,8 @@ Proof.
       (z * v * / ((sqrt t + sqrt (t - 1)) * (sqrt t + sqrt (t - 1)))) by (field; lra).
     unfold Rdiv. apply Rmult_le_compat_l; [now apply Rmult_le_pos|]. apply Rinv_le_contravar; [lra|].
     assert (S1 : sqrt (t - 1) <= sqrt t) by (apply sqrt_le_1; lra). assert (S0 := sqrt_pos (t - 1)).
-    assert (S2 := sqrt_sqrt (t - 1) ltac:(lra)). assert (sqrt (t - 1) * sqrt (t - 1) <= sqrt t * sqrt (t - 1)) by (now apply Rmult_le_compat_r).
+    assert (S2 := sqrt_sqrt (t - 1) ltac:(lra)).
+    assert (sqrt (t - 1) * sqrt (t - 1) <= sqrt t * sqrt (t - 1)) by (now apply Rmult_le_compat_r).
     assert (S3 := sqrt_sqrt t ltac:(lra)). lra.
 Qed.
 Definition log_sum (j : nat) := match j with O => 0 | S _ => 1 + ln (INR j) end.
@@ -58,7 +59,8 @@ Proof.
   destruct j as [|j]; [simpl; rewrite ln_1; lra|]. unfold log_sum. assert (P := pos_INR j).
   rewrite (S_INR (S j)). set (n := INR (S j)). assert (N : 0 < n) by (unfold n; rewrite S_INR; lra).
   assert (L : - ln (1 + - / (n + 1)) >= / (n + 1)).
-  { assert (0 < / (n + 1) < 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_lt_contravar; lra]).
+  { assert (0 < / (n + 1) < 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_lt_contravar;
+      lra]).
     assert (K := exp_ineq1_le (- / (n + 1))). apply ln_le in K; [|lra]. rewrite ln_exp in K. lra. }
   replace (1 + - / (n + 1)) with (n * / (n + 1)) in L by (field; lra). rewrite ln_mult, ln_Rinv in L; try lra.
   apply Rinv_0_lt_compat. lra.
@@ -70,14 +72,17 @@ Proof.
   - rewrite Hend, sum_O. unfold cube. simpl. rewrite sqrt_1, sqrt_0. lra.
   - rewrite (Hstep j Hj), sum_Sn, S_INR. change plus with Rplus. specialize (IH ltac:(lia)). assert (P := pos_INR j).
     assert (A := clock_above (S j) Hj). assert (B := sandwich_above (S j) Hj). rewrite S_INR in A, B.
-    assert (Bs := sum_below_series (S j)). assert (z * (sum_n cube (S j) - 1) <= z * (Series cube - 1)) by (apply Rmult_le_compat_l; lra).
+    assert (Bs := sum_below_series (S j)).
+    assert (z * (sum_n cube (S j) - 1) <= z * (Series cube - 1)) by (apply Rmult_le_compat_l; lra).
     assert (W := slope_lost j Hj). assert (L := HL j Hj).
-    assert (V := D0_raised z (INR (S (S j))) (T (S j) - INR (S (S j))) Hz ltac:(rewrite !S_INR; lra) ltac:(rewrite !S_INR; lra)).
+    assert (V := D0_raised z (INR (S (S j))) (T (S j) - INR (S (S j))) Hz ltac:(rewrite !S_INR;
+      lra) ltac:(rewrite !S_INR; lra)).
     replace (INR (S (S j)) + (T (S j) - INR (S (S j)))) with (T (S j)) in V by ring. rewrite D0_at in V.
     assert (C := cube_pos (S j)). assert (Zc : 0 <= z * cube (S j)) by (now apply Rmult_le_pos).
     assert (Q : z * cube (S j) * (1 - 1.08 * x) <= z * cube (S j) * (1 - 1.08 * (T (S j) - INR (S (S j))))).
     { apply Rmult_le_compat_l; [exact Zc|]. rewrite !S_INR. lra. }
-    assert (G := log_sum_grows j). assert (ZV : 0 <= 1.3 * (z * v / 4)) by (assert (0 <= z * v) by (now apply Rmult_le_pos); lra).
+    assert (G := log_sum_grows j). assert (ZV : 0 <= 1.3 * (z * v / 4)) by (assert (0 <= z * v)
+      by (now apply Rmult_le_pos); lra).
     assert (G' := Rmult_le_compat_l _ _ _ ZV G). replace (z * v / (4 * INR (S j))) with (z * v / 4 * / INR (S j)) in W
       by (field; apply not_0_INR; lia). lra.
 Qed.

@@ -45,7 +45,8 @@ Lemma between_critical q N : 1 < q -> N_star q N -> (3 <= N)%nat /\
   exists a b, critical N a /\ critical (S N) b /\ a < q <= b.
 Proof.
   intros Hq HN. assert (N3 : (3 <= N)%nat).
-  { destruct (proj2 (proj2 critical_3 q ltac:(lra)) Hq) as [m [Hm M]]. now rewrite (N_unique q N m ltac:(lra) HN Hm). }
+  { destruct (proj2 (proj2 critical_3 q ltac:(lra)) Hq) as [m [Hm M]]. now rewrite (N_unique q N m ltac:(lra) HN Hm).
+    }
   split; [exact N3|]. destruct (theorem_2b N N3) as [a [Ha _]]. destruct (theorem_2b (S N) ltac:(lia)) as [b [Hb _]].
   exists a, b. split; [exact Ha|]. split; [exact Hb|]. split.
   - apply (proj2 Ha); [lra | now exists N].
@@ -71,7 +72,8 @@ Proof.
       assert (N9 : (9 <= N)%nat).
       { destruct (proj2 (proj2 H9 q ltac:(lra)) Lt) as [m [Hm M9]]. now rewrite (N_unique q N m ltac:(lra) HN Hm). }
       destruct (H N a N9 Ha) as [DA _]. destruct (H (S N) b ltac:(lia) Hb) as [_ DB]. assert (A1 := proj1 Ha).
-      destruct (law_mono a q ltac:(lra) ltac:(lra)) as [M1 _]. destruct (law_mono q b ltac:(lra) ltac:(lra)) as [M2 M3].
+      destruct (law_mono a q ltac:(lra) ltac:(lra)) as [M1 _].
+      destruct (law_mono q b ltac:(lra) ltac:(lra)) as [M2 M3].
       unfold delta in DA, DB. rewrite S_INR in DB. unfold low. lra.
     - assert (E := N_unique q9 N 8 ltac:(lra) HN (N_at_critical 9 q9 ltac:(lia) H9)). subst N. unfold low.
       simpl INR in *. lra. }
