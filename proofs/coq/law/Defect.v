@@ -4,6 +4,7 @@
 
     gain_between  == tau (u, J) - tau (u, Q) = A tau_J + A^2 tau_JJ/2, tau_JJ between its values at J and at Q
     L49_defect    == 2 eps D = E1 + E2
+    L49_between   == and bounds of it
     L52_end       == 2 eps e_end = - eps r/(kappa F) + E1 + the gain at the last contact *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -151,6 +152,35 @@ Proof.
     replace (2 * PI - u - u') with (2 * (PI - U)) by (unfold U, middle; field).
     field. repeat split; lra. }
   rewrite K. unfold defect, clock. rewrite (L45a_clock u al), (L45a_clock u' al') by lra. field. lra.
+Qed.
+(** And between which bounds. *)
+Theorem L49_between eps u al u' al' c3 C3 c4 C4 : step eps u al u' al' -> 0 < al ->
+  let Q := middle_invariant eps u al u' in let U := middle u u' in let d := half u u' in let F := PI - U in
+  let A := invariant u al - Q in let A' := invariant u' al' - Q in Q < PI - u ->
+  (forall z, F - d <= z <= F + d -> c3 <= G3 z Q <= C3) -> (forall z, F - d <= z <= F + d -> c4 <= G4 z Q <= C4) ->
+  let m a3 a4 := sin U * (G2 F Q * moment_cos d 2 + a4 * moment_cos d 4 / 12) -
+    cos U * (2 * G1 F Q * moment_sin d 1 + a3 * moment_sin d 3 / 3) in
+  let first := (A - A') * tau_J u Q + A' * (tau_J u Q - tau_J u' Q) in
+  m C3 c4 + first + (A^2 * tau_JJ u (invariant u al) - A'^2 * tau_JJ u' Q) / 2 <= 2 * eps * defect eps u al u' al' <=
+  m c3 C4 + first + (A^2 * tau_JJ u Q - A'^2 * tau_JJ u' (invariant u' al')) / 2.
+Proof.
+  intros H Ha Q U d F A A' HQ B3 B4 m first. assert (E := L49_defect eps u al u' al' H Ha HQ). cbv zeta in E.
+  fold Q U d in E.
+  destruct H as [He [B1 B2] [C1 C2] D HE]. assert (P := PI2_1). set (th := al + beta eps u) in *.
+  assert (Et : th = al + beta eps u) by reflexivity.
+  assert (S1 := beta_pos eps u (proj1 He) ltac:(apply sin_gt_0; lra)).
+  assert (S2 := beta_pos eps u' (proj1 He) ltac:(apply sin_gt_0; lra)).
+  assert (L := L44_before eps u u' th (proj1 He) B1 B2 ltac:(lra) HE).
+  assert (L' := L44_after eps u u' th (proj1 He) B1 B2 ltac:(lra) HE).
+  replace (th - beta eps u) with al in L by lra. replace (th + beta eps u') with al' in L' by lra.
+  change (invariant u al <= Q) in L. change (invariant u' al' <= Q) in L'.
+  assert (Eu : u = U + d /\ u' = U - d) by (unfold U, d, middle, half; lra).
+  assert (J0 : 0 < invariant u al) by (apply Rmult_lt_0_compat; [lra | apply cos_gt_0; lra]).
+  assert (J0' : 0 < invariant u' al') by (apply Rmult_lt_0_compat; [lra | apply cos_gt_0; lra]).
+  assert (M := midpoint_between U d Q ltac:(lra) ltac:(lra) ltac:(lra) c3 C3 c4 C4 B3 B4). cbv zeta in M. fold F in M.
+  assert (K := gain_between u (invariant u al) Q ltac:(lra) J0 ltac:(lra)).
+  assert (K' := gain_between u' (invariant u' al') Q ltac:(lra) J0' ltac:(lra)). fold A in K. fold A' in K'.
+  unfold m, first. rewrite E. split; lra.
 Qed.
 (** L52, with y for the point of tangency: kappa = sin y, r = cos y + y sin y - 1. *)
 Theorem L52_end eps u al y : last eps u al y -> 0 < al ->
