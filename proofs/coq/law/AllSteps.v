@@ -6,7 +6,6 @@
     followed, L54 == what is known of the whole orbit, given the conditions *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Interval Require Import Tactic.
 From Dumbbell Require Import LawStatement Sines Cubes Angles Falls Orbit Clock Ends Windows.
 Local Open Scope R_scope.
 
