@@ -4,9 +4,9 @@
 From Coq Require Import Reals.
 From Dumbbell Require Import Statement.
 From Dumbbell Require AnyMotion CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds FollowFlight ForEver FreeFlight FullTotal HeavyOnce LeftLimit LightTotal Maximum Monotone Newton
-  NoAccumulation NoHeavy OpenSet Paper Piece PublishedBound Sanity Scaling StartInContact Tangency Verdict
-  WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
+  ExplicitBounds Falls FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
+  Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
+  StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
 Local Open Scope R_scope.
 
 Theorem N_exists : forall q : R, 1 <= q -> exists n : nat, N_star q n /\ INR n < q + 5.
@@ -245,3 +245,13 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
+Theorem law : LawStatement.steps -> LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
+  LawStatement.the_law /\ LawStatement.law_everywhere.
+Proof. exact Law.law. Qed.
+Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)
+  (u al : nat -> R) (y : R), Orbit.orbit (/ sqrt q) N n u al y.
+Proof. exact Orbit.orbit_of_critical. Qed.
+Theorem L44_falls : forall eps u u' th : R, 0 < eps -> 0 < u' < u -> u <= PI / 2 -> 0 <= th < PI / 2 -> cos u' - cos u
+  = eps * tan th * (2 * PI - u - u') -> th + LawStatement.beta eps u' < PI / 2 -> LawStatement.invariant u' (th +
+  LawStatement.beta eps u') < LawStatement.invariant u (th - LawStatement.beta eps u).
+Proof. exact Falls.L44_falls. Qed.

@@ -1,0 +1,92 @@
+(** Statement: the law for every mass ratio (Theorem B of law.md) and the conditions it is proved from (law.md,
+  "What the
+    certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
+    Definitions only.
+
+    growth, step_constant, law_constant == C, k0, c0
+    the_law                 == Theorem B: N = 2 + floor (C sqrt q), or less by a share c0 q^(-1/4) of a step
+    law_everywhere          == its second half: 0.980 <= N - C sqrt q <= 2.115
+    beta, invariant, clock  == beta, J, T of a contact at u from the peak, at the mid angle al
+    step, last              == from a contact to the next one; from the last contact along the tangent flight
+    steps, layer, bulk, end_of_orbit == the conditions (C1) to (C4), (C5) to (C8), (C9) and (C10), (C11) *)
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Dumbbell Require Import Statement.
+Local Open Scope R_scope.
+
+Definition growth : R := RInt (fun a => sin (PI / 2 / cos a)) 0 (PI / 3).
+Definition cube (n : nat) := (sqrt (INR (S n)) - sqrt (INR n)) ^ 3.
+Definition step_constant := Rpower 3 (- (7 / 4)) * / sqrt PI.
+Definition law_constant := 2 * step_constant * Series cube.   (* L55 (a): 12 |zeta(-1/2)| k0 *)
+Definition quarter q := / sqrt (sqrt q).                      (* q^(-1/4) *)
+
+(** q is at least the critical ratio q_c(9): every greater ratio has nine collisions. *)
+Definition from_nine q := 1 <= q /\ forall p n, q < p -> N_star p n -> (9 <= n)%nat.
+Definition the_law := forall q N, from_nine q -> N_star q N ->
+  (2 + Int_part (growth * sqrt q - law_constant * quarter q) <= Z.of_nat N)%Z /\
+  (Z.of_nat N <= 2 + Int_part (growth * sqrt q))%Z.
+Definition law_everywhere := forall q N, 1 <= q -> N_star q N -> 0.980 <= INR N - growth * sqrt q <= 2.115.
+
+(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u;
+  al is half the sum of
+    the angles of the flights before and after it (L43), beta half their difference. *)
+Definition beta eps u := atan (eps / sin u).
+Definition invariant u al := (PI - u) * cos al.
+Definition clock_integral J x : R := RInt (fun a => sin (J / cos a)) x (acos (J / PI)).
+Definition clock eps u al : R := clock_integral (invariant u al) al / (2 * eps).
+
+Record step (eps u al u' al' : R) : Prop := {
+  eps_range : 0 < eps <= 1;
+  contacts : 0 < u' < u /\ u <= PI/2;
+  angles : 0 <= al /\ al' < PI/2;
+  one_flight : al + beta eps u = al' - beta eps u';
+  flight : cos u' - cos u = eps * tan (al + beta eps u) * (2 * PI - u - u') }.
+(** The flight from the last contact is tangent to the hump, at y. *)
+Record last (eps u al y : R) : Prop := {
+  last_eps : 0 < eps <= 1;
+  last_contact : 0 < y < u /\ u <= PI/2;
+  last_angle : 0 <= al /\ al + beta eps u < PI/2;
+  tangency : eps * tan (al + beta eps u) = sin y;
+  last_flight : cos y - cos u = sin y * (2 * PI - u - y) }.
+
+(** Of a step: U, d, the angle theta of its flight, Q, the defect D; the comparison function D0. *)
+Definition middle u u' := (u + u') / 2.
+Definition half u u' := (u - u') / 2.
+Definition middle_invariant eps u al u' := (PI - middle u u') * cos (al + beta eps u).
+Definition defect eps u al u' al' := clock eps u al - 1 - clock eps u' al'.
+Definition comparison eps T := step_constant * sqrt eps * (sqrt T - sqrt (T - 1)) ^ 3.
+
+(** (C1) to (C4): ratios a and b on either side of the critical ratio q_c(N), near to it. *)
+Definition steps := forall N, (3 <= N <= 902)%nat -> exists a b, 1 <= a /\ 1 <= b /\
+  (forall n, N_star a n -> (n < N)%nat) /\ (forall n, N_star b n -> (N <= n)%nat) /\
+  ((9 <= N)%nat -> INR N - 2 < growth * sqrt a /\ growth * sqrt b - (INR N - 2) < law_constant * quarter b) /\
+  -0.115 <= growth * sqrt a - (INR N - 2) /\ growth * sqrt b - (INR N - 2) <= 0.020.
+
+(** (C5) to (C8): where U < 9/10, and d/U <= 1/5. *)
+Definition layer := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
+  let U := middle u u' in U <= 9/10 -> half u u' <= U / 5 ->
+  PI/2 - 1/100 <= middle_invariant eps u al u' <= PI/2 + 1/20 ->
+  PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
+  let T := clock eps u al in let D := defect eps u al u' al' in
+  1 < T /\
+  comparison eps T * (1 - 1.3 * U) <= D <= comparison eps T /\
+  (3/4 < U -> comparison eps T * (1 - 1.11 * U) <= D) /\
+  invariant u al - invariant u' al' <= 15.9 * (2 * half u u') * eps^2 / U^4.
+
+(** (C9) and (C10), on three ranges of theta. *)
+Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
+Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
+  near_half_pi (middle_invariant eps u al u') ->
+  let th := al + beta eps u in
+  let M lo hi := near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
+    lo * (eps / 2 * (al' - al)) <= defect eps u al u' al' <= hi * (eps / 2 * (al' - al)) in
+  let Lambda hi := invariant u al - invariant u' al' <= hi * (eps^2 * (al' - al)) in
+  (th <= 0.6 -> M (-0.334) 0 /\ Lambda 2.1) /\
+  (0.6 <= th <= 0.7 -> M (-0.125) 0.085 /\ Lambda 6.2) /\
+  (0.7 <= th <= 0.7944 -> M (-0.105) 0.47 /\ Lambda 22.7).
+
+(** (C11): what the clock shows at the last contact, beside k0 s. *)
+Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->
+  PI/2 - 0.1 * (u / 2) <= (PI - u / 2) * cos (al + beta eps u) <= PI/2 + 0.6 * (u / 2) ->
+  PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
+  -0.23 * eps <= clock eps u al - 1 - step_constant * sqrt eps <= -0.0885 * eps.
