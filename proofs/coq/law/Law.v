@@ -1,5 +1,7 @@
 (** The law for every mass ratio: Theorem B of law.md, from the conditions (C1) to (C11), which LawStatement.v states.
-*)
+
+    late_delta == 0 < delta_N < c0 q^(-1/4) <= 0.007 for N >= 903
+    law        == the law, and its second half *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import CriticalRatios LawStatement Cubes TheoremB TheoremA.
 Local Open Scope R_scope.
