@@ -69,7 +69,7 @@ test("a file that comes in small parts is the same file", async () => {
 
 test("what states no claim is said, and nothing verified", async () => {
     const bytes = readFileSync(ten);
-    assert.deepEqual(await here(["--ratio", "ten"], bytes), { usage: "not a mass ratio: `ten`" });
+    assert.deepEqual(await here(["--ratio", "ten"], bytes), { usage: "not a positive ratio: `ten`" });
     assert.deepEqual(await here(["--jobs", "2"], bytes), { usage: "unknown option --jobs" });
     assert.deepEqual(await here(["--max", "4", "--exactly", "4"], bytes), { usage: "--exactly N is --max N and --min N: give it without them" });
 });
