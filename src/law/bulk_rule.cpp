@@ -5,10 +5,8 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int bulk_parts = 48;         ///< of the quadrature of P
+constexpr int bulk_parts = 192;        ///< of the quadrature of P
 constexpr int bulk_second_parts = 12;  ///< of that in the term of second order
-
-Interval greatest_eps() { return Interval(1) / Interval(1000); }
 
 /// int_a^b f(x) dx for the ends in these intervals, by n equal parts.
 template <class Function>
@@ -50,8 +48,7 @@ Interval cube(const Interval& x) { return x * sqr(x); }
 
 }  // namespace
 
-BulkBounds bulk_bounds(const Interval& th) {
-    const Interval eps = hull(Interval(0), greatest_eps());
+BulkBounds bulk_bounds(const Interval& th, const Interval& eps) {
     const SinCos<Interval> of_th = sin_cos(th);
     const Interval &sin_th = of_th.sin, &cos_th = of_th.cos, tan_th = sin_th / cos_th;
 

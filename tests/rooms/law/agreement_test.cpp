@@ -38,14 +38,15 @@ long check_agreement(const Rational& q, bool decided) {
     return n;
 }
 
-constexpr double C = 0.88559512945271391, c0 = 0.20581158954949560;
+constexpr double C = 0.88559512945271391, c0 = 0.20581158954949560, kappa = 0.025524484895950447;
 
 /// The mass ratio at which C sqrt q - (n - 2) is a bound of Theorem A, the upper or the lower one, and
 /// `past` more.
 Rational edge(long n, bool upper, double past) {
     long double root = static_cast<long double>(n) / C;
     for (int i = 0; i < 50; ++i) {
-        const long double less = upper ? 0.16L : 0.126L * std::log(root) + 0.7L;
+        const long double slack = 0.11L + 2.6L / std::sqrt(root), after = n % 2 == 0 ? 0.496L : 0.378L;
+        const long double less = 2 * kappa * std::log(root) + after + (upper ? -slack : slack);
         root = (static_cast<long double>(n - 2) + c0 / std::sqrt(root) - less / root + past) / C;
     }
     return exact(static_cast<double>(root * root));

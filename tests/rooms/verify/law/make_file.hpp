@@ -17,7 +17,7 @@ inline std::string closed_law(const std::string& text) {
     for (std::string line; std::getline(in, line);) ++count[line.substr(0, line.find(' '))];
     std::string all = text;
     for (const std::string kind : {"split", "count", "outside", "meets", "meets-reversed", "equal-masses",
-                                   "witness", "slope", "direct", "beyond"})
+                                   "witness", "slope", "beyond"})
         all += "total " + kind + " " + std::to_string(count[kind]) + "\n";
     return hashed(all);
 }
@@ -27,8 +27,7 @@ inline std::string layer_tree(const dumbbell_verify::law::Box& box, int depth = 
     law::Leaf leaf;
     leaf.box = box;
     if (depth > 40) throw std::runtime_error("the layer does not close");
-    for (const auto rule :
-         {law::Leaf::beyond, box.lo[0] < mpq_class(1, 4) ? law::Leaf::slope : law::Leaf::direct}) {
+    for (const auto rule : {law::Leaf::beyond, law::Leaf::slope}) {
         leaf.rule = rule;
         if (!law::check_layer(leaf, nullptr)) return std::string(law::Leaf::names.at(rule)) + "\n";
     }
