@@ -93,14 +93,13 @@ TEST_CASE("law: the shipped certificate is counted line by line") {
     const make::Run verified = run("--leaves " DUMBBELL_PROJECT "/certificates/law.dbc.gz");
     CHECK(verified.code == 0);
     CHECK(has(verified,
-              "  split                 52885 line(s)    0.00000 % of the root boxes\n"
+              "  split                 25096 line(s)    0.00000 % of the root boxes\n"
               "  count                  1937 line(s)   98.55470 % of the root boxes\n"
               "  outside                 446 line(s)    1.27873 % of the root boxes\n"
               "  meets                     0 line(s)    0.00000 % of the root boxes\n"
               "  meets-reversed            0 line(s)    0.00000 % of the root boxes\n"
               "  equal-masses              1 line(s)    0.11105 % of the root boxes\n"
               "  witness                 900 line(s)    0.00000 % of the root boxes\n"
-              "  slope                 47549 line(s)    0.01317 % of the root boxes\n"
-              "  direct                 4187 line(s)    0.00379 % of the root boxes\n"
-              "  beyond                  565 line(s)    0.03856 % of the root boxes\n"));
+              "  slope                 23914 line(s)    0.01689 % of the root boxes\n"
+              "  beyond                  598 line(s)    0.03864 % of the root boxes\n"));
 }
