@@ -118,7 +118,7 @@ LayerBounds layer_bounds(const LayerBox& box) {
     // B = sqrt(ehat/2) (2 + ...): its two roots are those of k = 2 k1/ehat and of 1 + (k - 1)
     // (1+rho)^2/(1-rho)^2.
     const Interval j = J_offset(box, at);
-    const auto [G0, G1] = start_of_G(Q_of(box, j));
+    const auto [G0, G1] = start_of_G(at.Q + at.a_whole * at.d * rho);
     const Slope k1 = G0 / 2 + G1 * line(U, Interval(0), plus / 3) +
                      squared(U, sqr(plus) * rest_of_G(plus * U, sqr(rho) * U * j));
     const Slope k = normalised(2 * (k1 / at.ehat)),

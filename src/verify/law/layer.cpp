@@ -130,7 +130,8 @@ class LayerRule : Rule<N> {
     struct Roots {
         S rest, half;
         Roots(const LayerRule& rule, const Step& step) {
-            const S J = rule.offset_by(rule.J_offset(step));
+            // Q + A: L57 knows its derivative at U = 0 by that of Q.
+            const S J = step.Q + rule.along_.line(0, square(step.rho)) * step.first;
             S k = Moments<N>(rule.along_).way_G(step.plus, J, rule.leaf_.states->parts) / step.ehat * I(2);
             k.zero = 1;
             rest = (k - I(1)) * square(step.plus / step.minus) + I(1);
