@@ -3,11 +3,13 @@
 #include "collisions/names.hpp"
 #include "page/data.hpp"
 #include "rooms/parsed.hpp"
+#include "rooms/pictures/xml.hpp"
 #include "temporary_folder.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::page;
 using dumbbell_test::contents;
+using dumbbell_test::count_of;
 using dumbbell_test::parsed;
 
 namespace {
@@ -38,10 +40,11 @@ void check_known(const std::string& source, int first = 0) {
 TEST_CASE("the page is one HTML file that may load nothing") {
     const std::string page = html_page(Json::object({{"files", Json::array()}}));
     CHECK_THAT(page, StartsWith("<!doctype html>") && Contains("default-src 'none'") && Contains("</html>"));
-    for (const char* reference : {"src=", "@import", "url(", "http://", "<link rel=\"stylesheet\""}) {
+    for (const char* reference : {"src=", "@import", "http://", "<link rel=\"stylesheet\""}) {
         CAPTURE(reference);
         CHECK_THAT(page, !Contains(reference));
     }
+    CHECK(count_of(page, "url(") == count_of(page, "url(#"));  // within a picture that is saved
 }
 
 TEST_CASE("the data arrives as it was, whatever it holds") {
