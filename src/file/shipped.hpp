@@ -10,7 +10,7 @@ namespace dumbbell {
 /// in the source tree in which it was built. Throws InputError if it is in neither place.
 [[nodiscard]] std::string shipped_certificate(std::string_view name);
 
-/// The verifier for pages, packed, which `./run web` makes: beside the program as it was installed, or in the
+/// The verifier for pages, packed, made by ./run web: beside the program as it was installed, or in the
 /// build folder. None if it is in neither place.
 [[nodiscard]] std::optional<std::string> verifier_for_pages();
 
