@@ -105,7 +105,11 @@ void add_answers(py::module_& module) {
     py::class_<Trace>(module, "Trace", "The collisions of every orbit of a box.")
         .def_readonly("lower", &Trace::least, "every orbit has at least so many")
         .def_readonly("upper", &Trace::most, "and at most so many; None: nothing is known")
-        .def_readonly("collisions", &Trace::collisions, "those that can be enclosed, in the order of time");
+        .def_readonly("collisions", &Trace::collisions, "those that can be enclosed, in the order of time")
+        .def("__repr__", [](const Trace& t) {
+            return "<Trace: " + std::to_string(t.least) +
+                   (t.most ? " to " + std::to_string(*t.most) + " collisions>" : " collisions or more>");
+        });
     module.def("critical", critical, critical_text, py::arg("n"), py::arg("digits") = 15, py::kw_only(),
                py::arg("budget") = py::none());
     module.def("law", law, law_text, py::arg("q"));
