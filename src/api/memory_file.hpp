@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #else
 #include <cstdlib>
+#include <filesystem>
 #endif
 #include <unistd.h>
 
@@ -37,9 +38,9 @@ class MemoryFile {
 #if defined(__linux__)
         return ::memfd_create("certificate", MFD_CLOEXEC);
 #else
-        char name[] = "/tmp/dumbbell-XXXXXX";
-        const int file = ::mkstemp(name);
-        ::unlink(name);
+        std::string name = (std::filesystem::temp_directory_path() / "dumbbell-XXXXXX").string();
+        const int file = ::mkstemp(name.data());
+        ::unlink(name.c_str());
         return file;
 #endif
     }

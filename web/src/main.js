@@ -44,8 +44,7 @@ const data = parseReport(document.getElementById("data").textContent);
 useColours(data.colours);
 watchTheme();
 openForPrint();
-const linked = linkedStart(location.hash);
-const own = new OwnStart(linked ?? firstStart);
+const own = new OwnStart(firstStart);
 document.title = `dumbbell report: ${data.files.length > mostNames ? `${data.files.length} files` : data.files.map((file) => file.name).join(", ")}`;
 document.getElementById("page").replaceChildren(
     header(data),
@@ -54,8 +53,9 @@ document.getElementById("page").replaceChildren(
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`, hasVerifier() ? ` ${licences}` : ""),
 );
 requestAnimationFrame(() => requestAnimationFrame(() => {
+    const linked = linkedStart(location.hash); // now that no map sets another start
     if (linked) {
-        own.element.scrollIntoView();
+        own.set(linked);
     }
     document.documentElement.dataset.drawn = String(Math.round(performance.now())); // ms since the page was asked for
 }));

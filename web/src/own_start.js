@@ -51,9 +51,9 @@ export class OwnStart {
         return this.message.textContent;
     }
 
-    /// The same, and shows it.
-    set(values) {
-        this.follow(values);
+    /// The same of the words {q, phi, phidot, y, ydot}, and shows it.
+    set(start) {
+        this.follow(fields.map(([name]) => start[name]));
         this.element.scrollIntoView();
     }
 
@@ -61,7 +61,7 @@ export class OwnStart {
         const start = startFrom(event.clipboardData.getData("text"));
         if (start) {
             event.preventDefault();
-            this.set(fields.map(([name]) => start[name]));
+            this.set(start);
         }
     }
 

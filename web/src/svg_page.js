@@ -15,7 +15,10 @@ export class SvgPage {
     clearRect() {}
     drawImage() {}
     createPattern() { return "url(#hatching)"; }
-    measureText(text) { return this.canvas.measureText(text); }
+    measureText(text) {
+        this.canvas.font = this.font;
+        return this.canvas.measureText(text);
+    }
     setLineDash(dash) { this.dash = dash; }
 
     save() { this.open.push(0); }
@@ -52,7 +55,6 @@ export class SvgPage {
     fillRect(...box) { this.boxed(this.fill, ...box); }
     strokeRect(...box) { this.boxed(this.stroke, ...box); }
     fillText(text, x, y) {
-        this.canvas.font = this.font;
         this.parts.push(`<text x="${px(x)}" y="${px(y)}" dy="${shifts[this.textBaseline] ?? "0"}" text-anchor="${anchors[this.textAlign]}" style="font:${escaped(this.font)}" fill="${this.fillStyle}"${this.alpha}>${escaped(text)}</text>`);
     }
 

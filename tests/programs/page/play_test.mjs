@@ -336,6 +336,9 @@ test("a start has a link, and a picture can be saved", async () => {
     const linked = await open(browser, file + link);
     assert.equal(await linked.locator("#own input[name=phi]").inputValue(), "pi/6");
     await linked.close();
+    const map = await open(browser, report(place("starts.html"), files.starts) + link); // whose own start gives way
+    assert.equal(await map.locator("#own input[name=phi]").inputValue(), "pi/6");
+    await map.close();
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#file-1 .player").getByRole("button", { name: "Save" }).click()]);
     assert.match(download.suggestedFilename(), /^The-point-psi-y.*\.svg$/);
     const svg = await readFile(await download.path(), "utf8");
