@@ -36,11 +36,15 @@ const linkMark = "#start=";
 /// What is behind the mark in an address: a link to this start.
 export const linkTo = (words) => linkMark + words.map(encodeURIComponent).join(",");
 
-/// The start of such a link; null of any other.
+/// The start of such a link; null of any other, and of one that is damaged.
 export function linkedStart(hash) {
-    const words = hash.startsWith(linkMark) ? hash.slice(linkMark.length).split(",").map(decodeURIComponent) : [];
-    const [q, phi, phidot, y, ydot] = words;
-    return words.length === 5 ? { q, phi, phidot, y, ydot } : null;
+    try {
+        const words = hash.startsWith(linkMark) ? hash.slice(linkMark.length).split(",").map(decodeURIComponent) : [];
+        const [q, phi, phidot, y, ydot] = words;
+        return words.length === 5 ? { q, phi, phidot, y, ydot } : null;
+    } catch {
+        return null;
+    }
 }
 
 const most = { y: 1e6, phidot: 1e9, ydot: 1e9 }; // as `dumbbell trace` has them

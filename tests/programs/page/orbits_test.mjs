@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { angleFrom, fault, numberFrom, startFrom } from "../../../web/src/start.js";
+import { angleFrom, fault, linkTo, linkedStart, numberFrom, startFrom } from "../../../web/src/start.js";
 import { orbitFromContact, orbitFromStart, stateAt } from "../../../web/src/orbit.js";
 import { parse, toNumber } from "../../../web/src/rational.js";
 import { bridgeOrbit, extremalOrbits, longestOrbit, nextStep, wedgeOrbit } from "../../../web/src/witness.js";
@@ -188,5 +188,13 @@ test("the longest orbit gains a collision at the critical ratios, which are encl
         assert.ok(Math.abs(step / critical - 1) < 1e-6, `${n}: ${step}, not ${critical}`);
         q = step * (1 + 1e-6);
         assert.ok(Math.abs(nextStep(q, -1, ends) / critical - 1) < 1e-6);
+    }
+});
+
+test("a link has the start that it was made of, and a damaged one has none", () => {
+    const words = ["10", "pi/6", "1", "2", "-1"];
+    assert.deepEqual(Object.values(linkedStart(linkTo(words))), words);
+    for (const hash of ["", "#own", "#start=", "#start=1,2,3,4", "#start=%E0%A4%A,1,1,1,1", "#start=1,1,1,1,1,1"]) {
+        assert.equal(linkedStart(hash), null, hash);
     }
 });
