@@ -4,8 +4,8 @@
 From Coq Require Import Reals.
 From Dumbbell Require Import Statement.
 From Dumbbell Require AnyMotion CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds Falls FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
-  Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
+  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit
+  LightTotal Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
   StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
 Local Open Scope R_scope.
 
@@ -248,6 +248,8 @@ Proof. exact Sanity.bouncing_once. Qed.
 Theorem law : LawStatement.steps -> LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
   LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
+Theorem steps_hold : LawStatement.steps.
+Proof. exact FirstSteps.steps_hold. Qed.
 Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)
   (u al : nat -> R) (y : R), Orbit.orbit (/ sqrt q) N n u al y.
 Proof. exact Orbit.orbit_of_critical. Qed.
