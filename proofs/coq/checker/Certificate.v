@@ -8,6 +8,7 @@
     check_tree == each leaf of a tree holds in its box; check_tree_sound: then the whole box is covered
     chart_box, wide_enough == a chart's root box over a range of ratios, and that it holds the whole chart *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
+From Dumbbell Require Import Signs.
 Local Open Scope R_scope.
 
 Record ratio := { num : positive; den : positive }.
@@ -38,13 +39,13 @@ Record certificate := { program : string; program_version : string; about : sect
 Lemma ratio_cross x y : ratio_value x * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num x * den y)) /\
   ratio_value y * (IZR (Zpos (den x)) * IZR (Zpos (den y))) = IZR (Zpos (num y * den x)).
 Proof.
-  unfold ratio_value. rewrite !Pos2Z.inj_mul, !mult_IZR. assert (0 < IZR (Zpos (den x))) by now apply IZR_lt.
-  assert (0 < IZR (Zpos (den y))) by now apply IZR_lt. split; field; lra.
+  unfold ratio_value. rewrite !Pos2Z.inj_mul, !mult_IZR. assert (0 < IZR (Zpos (den x))) by pos.
+  assert (0 < IZR (Zpos (den y))) by pos. split; field; lra.
 Qed.
 Lemma ratio_le_ok x y : ratio_le x y = true -> ratio_value x <= ratio_value y.
 Proof.
   unfold ratio_le. intros H. apply Pos.leb_le in H. destruct (ratio_cross x y) as [A B].
-  assert (0 < IZR (Zpos (den x)) * IZR (Zpos (den y))) by (apply Rmult_lt_0_compat; now apply IZR_lt).
+  assert (0 < IZR (Zpos (den x)) * IZR (Zpos (den y))) by pos.
   apply Rmult_le_reg_r with (IZR (Zpos (den x)) * IZR (Zpos (den y))); [assumption|]. rewrite A, B. now apply IZR_le.
 Qed.
 Lemma ratio_eq_ok x y : ratio_eq x y = true -> ratio_value x = ratio_value y.
@@ -65,9 +66,9 @@ Lemma halves x s : in_span x s -> in_span x (lower_half s) \/ in_span x (upper_h
 Proof.
   unfold in_span, lower_half, upper_half; cbn [low_end high_end part]. intros H.
   change (Zpos (2 * part s)) with (2 * Zpos (part s))%Z. rewrite plus_IZR, !mult_IZR.
-  assert (P : 0 < IZR (Zpos (part s))) by now apply IZR_lt. set (d := IZR (Zpos (part s))) in *. set (l :=
-    IZR (low_end s)) in *. set (h := IZR (high_end s)) in *.
-  replace (2 * l / (2 * d)) with (l / d) by (field; lra). replace (2 * h / (2 * d)) with (h / d) by (field; lra).
+  assert (P : 0 < IZR (Zpos (part s))) by pos. set (d := IZR (Zpos (part s))) in *. set (l := IZR (low_end s)) in *.
+  set (h := IZR (high_end s)) in *. replace (2 * l / (2 * d)) with (l / d) by (field; lra).
+  replace (2 * h / (2 * d)) with (h / d) by (field; lra).
   destruct (Rle_or_lt x ((l + h) / (2 * d))); [left | right]; lra.
 Qed.
 
@@ -121,13 +122,13 @@ Definition wide_enough (b : ratio) : bool := (Zpos (num b) <=? least_power b * Z
 Lemma wide_enough_ok b : wide_enough b = true -> ratio_value b <= IZR (least_power b).
 Proof.
   unfold wide_enough, ratio_value. intros H. apply Z.leb_le, IZR_le in H. rewrite mult_IZR in H.
-  assert (B : 0 < IZR (Zpos (den b))) by now apply IZR_lt. apply Rmult_le_reg_r with (IZR (Zpos (den b))); [exact B|].
-  unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+  assert (B : 0 < IZR (Zpos (den b))) by pos. apply Rmult_le_reg_r with (IZR (Zpos (den b))); [exact B|]. unfold Rdiv.
+  rewrite Rmult_assoc, Rinv_l by lra. lra.
 Qed.
 Lemma one_more_ok x : ratio_value (one_more x) = ratio_value x + 1.
 Proof.
   unfold ratio_value, one_more; cbn [num den]. rewrite Pos2Z.inj_add, plus_IZR.
-  assert (0 < IZR (Zpos (den x))) by now apply IZR_lt. field. lra.
+  assert (0 < IZR (Zpos (den x))) by pos. field. lra.
 Qed.
 Lemma in_root a b e y q e1 y1 : 0 <= e <= IZR e1 -> 0 <= y <= IZR y1 -> ratio_value a <= q <= ratio_value b ->
   in_box e y q (root_box e1 y1 a b).
@@ -135,8 +136,8 @@ Proof.
   intros He Hy Hq. unfold in_box, in_span; simpl box_e; simpl box_slope; simpl box_q; simpl low_end; simpl high_end.
   simpl part. split; [lra|]. split; [lra|].
   destruct (ratio_cross a b) as [E1 E2].
-  assert (D : 0 < IZR (Zpos (den a)) * IZR (Zpos (den b))) by (apply Rmult_lt_0_compat; now apply IZR_lt).
-  rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR. set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
+  assert (D : 0 < IZR (Zpos (den a)) * IZR (Zpos (den b))) by pos. rewrite <- E1, <- E2, Pos2Z.inj_mul, mult_IZR.
+  set (d := IZR (Zpos (den a)) * IZR (Zpos (den b))) in *.
   replace (ratio_value a * d / d) with (ratio_value a) by (field; lra).
   replace (ratio_value b * d / d) with (ratio_value b) by (field; lra). exact Hq.
 Qed.

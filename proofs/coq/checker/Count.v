@@ -8,7 +8,7 @@
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Enclosure SineCosine.
+From Dumbbell Require Import Trigonometry Ray Enclosure SineCosine.
 Local Open Scope R_scope.
 
 Module Count (F : FloatOps with Definition sensible_format := true).
@@ -49,8 +49,7 @@ Definition NI (w k r : I.type) := I.sub p (I.add p (I.mul p k (I.sqr p w)) (I.mu
 Definition misses (c k : I.type) : bool :=
   let z := I.singleton (near_top G k) in
   if nonneg z && nonneg (I.sub p (pi_ T) z) then
-    let '(s, w) := sc z in
-    pos (I.add p (I.sub p c s) (I.mul p z w)) &&
+    let '(s, w) := sc z in pos (I.add p (I.sub p c s) (I.mul p z w)) &&
     pos (I.sub p (I.sub p (I.add p c (I.mul p k (quarter T))) s) (I.mul p (I.sub p (quarter T) z) w))
   else false.
 
@@ -58,8 +57,7 @@ Definition misses (c k : I.type) : bool :=
 Definition earliest (c k : I.type) (z : F.type) : I.type * I.type * I.type :=
   let zi := I.singleton z in
   let '(s, w) := sc zi in
-  let q := I.sub p w k in
-  if nonneg zi && nonneg (I.sub p (pi_ T) zi) && pos q then
+  let q := I.sub p w k in if nonneg zi && nonneg (I.sub p (pi_ T) zi) && pos q then
     let x := low0 (I.sub p zi (I.div p (I.sub p (I.sub p s (I.mul p k zi)) c) q)) in
     let d := I.sub p x zi in let e := I.sqr p d in
     (x, low (I.sub p (I.add p s (I.mul p d w)) e), up (I.add p (I.sub p w (I.mul p d s)) e))
@@ -89,8 +87,7 @@ Fixpoint at_least (n : nat) (r c k : I.type) (z : F.type) : bool :=
     if nonneg x && nonneg (I.sub p (quarter T) x) && pos (I.sub p s (I.add p c (I.mul p k x))) then
       match m with
       | O => true
-      | _ => let w := low w in let s := up s in let D := DI w k r in
-        if pos w && pos D then
+      | _ => let w := low w in let s := up s in let D := DI w k r in if pos w && pos D then
           let k' := up (I.div p (NI w k r) D) in
           at_least m r (up (I.add p s (I.mul p k' (I.add p x (pi_ T))))) k' z'
         else false
@@ -235,9 +232,9 @@ Proof.
       s)) (I.sqr p (I.sub p xi zi)))) as [w_ [W1 W2]].
     { apply add_in; [apply sub_in; [assumption | now apply mul_in] | assumption]. }
     exists x_, s_, w_. repeat split; try assumption; try lra.
-    + assert (A := sin_shift zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
+    + assert (A := sin_near zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
       lra.
-    + assert (A := cos_shift zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
+    + assert (A := cos_near zr (x_ - zr)). apply Rabs_le_between in A. replace (zr + (x_ - zr)) with x_ in A by ring.
       lra.
   - exists 0, 0, 1. rewrite sin_0, cos_0. repeat split; try apply zero_in; try exact unit_in; lra.
 Qed.

@@ -8,7 +8,7 @@
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Flocq Require Import Core.Zaux.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig.
-From Dumbbell Require Import Certificate.
+From Dumbbell Require Import Signs Certificate.
 Local Open Scope R_scope.
 
 Module FloatBoxes (F : FloatOps with Definition sensible_format := true).
@@ -36,11 +36,11 @@ Definition above_frac f n d := match cmp_frac f n d with Some Gt | Some Eq => tr
 Lemma cmp_frac_ok f n d c : cmp_frac f n d = Some c -> match c with Lt => V f < IZR n / IZR (Zpos d) | Eq =>
   V f = IZR n / IZR (Zpos d) | Gt => IZR n / IZR (Zpos d) < V f end.
 Proof.
-  unfold cmp_frac, V, F.toX. assert (D : 0 < IZR (Zpos d)) by now apply IZR_lt.
+  unfold cmp_frac, V, F.toX. assert (D : 0 < IZR (Zpos d)) by pos.
   assert (K : forall x a b (w : R), 0 < w -> x * (IZR (Zpos d) * w) = IZR a -> IZR n * w = IZR b ->
     match (a ?= b)%Z with Lt => x < IZR n / IZR (Zpos d) | Eq => x = IZR n / IZR (Zpos d) | Gt =>
       IZR n / IZR (Zpos d) < x end).
-  { intros x a b w Hw Ha Hb. assert (W : 0 < IZR (Zpos d) * w) by (now apply Rmult_lt_0_compat).
+  { intros x a b w Hw Ha Hb. assert (W : 0 < IZR (Zpos d) * w) by pos.
     assert (E : IZR n / IZR (Zpos d) * (IZR (Zpos d) * w) = IZR b) by (rewrite <- Hb; field; lra).
     destruct (Z.compare_spec a b) as [Q|Q|Q].
     - apply Rmult_eq_reg_r with (IZR (Zpos d) * w); [|lra]. rewrite Ha, E. now f_equal.
@@ -97,10 +97,9 @@ Proof.
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [H1 H2].
   apply andb_prop in H1; destruct H1 as [A1 A2]. apply andb_prop in H2; destruct H2 as [B1 B2].
   apply below_ok in A1, B1, H5. apply above_ok in A2, B2, H6. apply Z.ltb_lt in H3, H4. unfold in_span in *.
-  rewrite Z2Pos.id in H5, H6 by assumption. apply IZR_lt in H3, H4.
-  assert (D : 0 < IZR (Zpos (part (box_q b)))) by now apply IZR_lt.
-  assert (L : 0 < IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b)))) by now apply Rdiv_lt_0_compat.
-  unfold inside. split; [lra|]. split; [lra|]. split.
+  rewrite Z2Pos.id in H5, H6 by assumption. apply IZR_lt in H3, H4. assert (D : 0 < IZR (Zpos (part (box_q b)))) by pos.
+  assert (L : 0 < IZR (low_end (box_q b)) / IZR (Zpos (part (box_q b)))) by pos. unfold inside. split; [lra|].
+  split; [lra|]. split.
   - apply Rle_trans with (1 := H5). replace (IZR (Zpos (part (box_q b))) / IZR (high_end (box_q b))) with (/ (IZR
     (high_end (box_q b)) / IZR (Zpos (part (box_q b))))) by (field; lra).
     apply Rinv_le_contravar; lra.

@@ -7,7 +7,7 @@
     follow, follow_sound == computed: states between two have at most n later collisions, by L15; and it is so *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Forward BoundingRays FewHits Leaves.
+From Dumbbell Require Import Signs Trigonometry Ray Chart Forward BoundingRays FewHits Leaves.
 Local Open Scope R_scope.
 
 Module ForwardCount (F : FloatOps with Definition sensible_format := true).
@@ -92,8 +92,7 @@ Definition highest (r : I.type) (hi : state) (z : F.type) : state * F.type :=
   let z := behind_root G c k z in let x := pt z in let '(s, w) := sc p G T x in
   if nonneg x && nonneg (I.sub p (quarter T) x) && pos (I.sub p s (I.add p c (I.mul p k x))) then
     let w := low w in let D := DI p w k r in
-    ({| corner := x; sine := up s;
-        slope := if pos w && pos D then up (I.div p (NI p w k r) D) else unit_ T |}, z)
+    ({| corner := x; sine := up s; slope := if pos w && pos D then up (I.div p (NI p w k r) D) else unit_ T |}, z)
   else ({| corner := quarter T; sine := unit_ T; slope := unit_ T |}, first_guess G).
 
 (** Is a contact with the bridge counted, if there may be one? And do all states have one? *)
@@ -158,12 +157,11 @@ Proof.
   assert (Hc : inI (r0 * cX t0 y0)
     (I.mul p ri (I.add p s (I.mul p (I.add p w yi) (I.sub p (pi_ T) ti))))).
   { apply mul_in; [exact Hr|]. apply add_in; [exact Hs|]. apply mul_in; [exact Hl | now apply sub_in]. }
-  assert (E : r0 * cX t0 y0 <= r0 * Rmax 0 (cX t0 y0)) by (apply Rmult_le_compat_l; lra).
-  assert (E' : 0 <= r0 * Rmax 0 (cX t0 y0)) by (apply Rmult_le_pos; lra).
+  assert (E : r0 * cX t0 y0 <= r0 * Rmax 0 (cX t0 y0)) by pos. assert (E' : 0 <= r0 * Rmax 0 (cX t0 y0)) by pos.
   destruct (low0_ok _ _ Hc _ E E') as [c1 [C1 C2]].
   destruct (low_ok _ _ (mul_in p _ _ _ _ Hr Hl)) as [k1 [K1 K2]].
   apply (at_most_sound p G T HT n _ _ _ _ H r0 c1 k1 Hr C1 K1 r0 _ _) with (2 := C).
-  assert (r0 * -1 <= r0 * lamX t0 y0) by (apply Rmult_le_compat_l; lra). repeat split; lra.
+  assert (r0 * -1 <= r0 * lamX t0 y0) by pos. repeat split; lra.
 Qed.
 
 Lemma near_slope_point k : exists x, inI x (near_slope k).
@@ -181,14 +179,14 @@ Proof.
     (mul_in p _ _ _ _ Hr (sub_in p _ _ _ _ Hs (mul_in p _ _ _ _ Hz Hw))))).
   assert (B := pos_ok _ _ H3 (sub_in p _ _ _ _ (add_in p _ _ _ _ Hh (mul_in p _ _ _ _ Hk piI))
     (mul_in p _ _ _ _ Hr (add_in p _ _ _ _ Hs (mul_in p _ _ _ _ (sub_in p _ _ _ _ piI Hz) Hw))))).
-  assert (Tg := sin_below_tangent z t Z Ht). assert (HPI : 0 < PI) by apply PI_RGT_0.
-  assert (r * sin t <= r * (sin z + (t - z) * cos z)) by (apply Rmult_le_compat_l; lra).
-  set (a := h - r * (sin z - z * cos z)) in *. set (b := h + k * PI - r * (sin z + (PI - z) * cos z)) in *.
+  assert (Tg := sin_below_tangent z t Z Ht). assert (HPI := PI_RGT_0).
+  assert (r * sin t <= r * (sin z + (t - z) * cos z)) by pos. set (a := h - r * (sin z - z * cos z)) in *.
+  set (b := h + k * PI - r * (sin z + (PI - z) * cos z)) in *.
   assert (E : PI * (h + k * t - r * (sin z + (t - z) * cos z)) = a * (PI - t) + b * t) by (unfold a, b; ring).
   assert (0 < h + k * t - r * (sin z + (t - z) * cos z)); [|lra]. apply Rmult_lt_reg_l with PI; [exact HPI|].
   rewrite E, Rmult_0_r. destruct (Rle_lt_or_eq_dec t PI ltac:(lra)) as [K|K].
-  - assert (0 < a * (PI - t)) by (apply Rmult_lt_0_compat; lra). assert (0 <= b * t) by (apply Rmult_le_pos; lra). lra.
-  - assert (0 < b * t) by (apply Rmult_lt_0_compat; lra). assert (0 <= a * (PI - t)) by (apply Rmult_le_pos; lra). lra.
+  - assert (0 < a * (PI - t)) by pos. assert (0 <= b * t) by pos. lra.
+  - assert (0 < b * t) by pos. assert (0 <= a * (PI - t)) by pos. lra.
 Qed.
 Lemma below_at_sound ri hi ki ti : below_at ri hi ki ti = true -> forall r h k t, inI r ri -> inI h hi ->
   inI k ki -> inI t ti -> 0 <= t <= PI /\ h + k * t < r * sin t.
@@ -236,7 +234,7 @@ Lemma last_contact_sound ki hi li x k k0 h1 k1 : inI k0 ki -> inI h1 hi -> inI k
   (all = true -> ~ clears_bridge r x k).
 Proof.
   intros K0 X1 K1 L0 L1.
-  assert (HPI : 0 < PI) by apply PI_RGT_0. unfold last_contact.
+  assert (HPI := PI_RGT_0). unfold last_contact.
   set (t1 := match widen 7 _ _ _ _ with Some t => t | None => _ end).
   assert (A : exists t, inI t t1 /\ 0 <= t <= PI /\ forall u, meets_bridge r x k u -> u <= t).
   { unfold t1. destruct (widen 7 _ _ _ _) as [t|] eqn:E.
@@ -244,8 +242,8 @@ Proof.
       destruct (flat_at_sound _ _ _ _ E r0 r1 k0 v H0 H1 K0 Hv) as [V [V0 V1]]. split; [exact V|]. intros u Hu.
       apply (L15b_before r k0 k x u v ltac:(lra) L0 Hu V).
       destruct (Rle_or_lt 0 (cos v)).
-      + assert (r * cos v <= r1 * cos v) by (apply Rmult_le_compat_r; lra). lra.
-      + assert (r0 * - cos v <= r * - cos v) by (apply Rmult_le_compat_r; lra). lra.
+      + assert (r * cos v <= r1 * cos v) by pos. lra.
+      + assert (r0 * - cos v <= r * - cos v) by pos. lra.
     - exists PI. split; [exact piI|]. split; [lra|]. intros u [[_ Hu] _]. lra. }
   assert (Met : forall ti, below_at r0i hi li ti = true -> (exists v, inI v ti) ->
     (exists t, inI t ti /\ 0 <= t <= PI /\ forall u, meets_bridge r x k u -> u <= t) /\ ~ clears_bridge r x k).
@@ -272,7 +270,7 @@ Proof.
     assert (Hm' := Hm). destruct Hm' as [Ht _].
     assert (A := above_sound _ _ _ Ea r1 _ k0 H1 (height_in _ _ _ _ _ _ X0 S0 K0 zero_in) K0 ltac:(lra) t ltac:(lra)).
     assert (B := L15b_none r x0 k0 x k t L0 Hm). assert (0 <= sin t) by (apply sin_ge_0; lra).
-    assert (r * sin t <= r1 * sin t) by (apply Rmult_le_compat_r; lra). unfold height_at in B. lra.
+    assert (r * sin t <= r1 * sin t) by pos. unfold height_at in B. lra.
   - destruct HL as [x0 [s0 [k0 [_ [_ [K0 [[_ [_ [Lk _]]] _]]]]]]].
     destruct HU as [x1 [s1 [k1 [X1 [S1 [K1 [L1 E1]]]]]]].
     assert (B : forall t, 0 <= t <= PI -> height_at x k t <= s1 + k1 * (x1 + 0) + k1 * t).
@@ -290,7 +288,7 @@ Lemma highest_sound hi z x k y : lies_below hi x k -> clears_bridge r x k -> hit
   next_slope (cos y) k r < 1 -> lies_below (fst (highest r1i hi z)) y (next_slope (cos y) k r).
 Proof.
   intros [x1 [s1 [k1 [X1 [S1 [K1 [L1 E1]]]]]]] Hcl Hy Hk1. unfold highest.
-  assert (HPI : 0 < PI) by apply PI_RGT_0.
+  assert (HPI := PI_RGT_0).
   destruct (up_ok _ _ (height_in _ _ _ _ _ _ X1 S1 K1 piI)) as [c1 [C1 C2]]. set (ci := up _) in *.
   assert (Hv := single_in (behind_root G ci (slope hi) z)). set (v := proj_val _) in Hv. set (vi := pt _) in *.
   destruct (sc_ok p G T HT v vi Hv) as [Hs Hw]. destruct (sc p G T vi) as [s w]. simpl in Hs, Hw.
@@ -321,7 +319,7 @@ Theorem follow_sound n : forall lo hi z zh, follow n r0i r1i lo hi z zh = true -
   (k < 1 -> lies_below hi x k) -> forall m, forward r m x k -> (m <= n)%nat.
 Proof.
   induction n as [n IH] using (well_founded_induction Wf_nat.lt_wf). intros lo hi z zh H x k HL HU m Hm.
-  destruct m as [|m]; [lia|]. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct m as [|m]; [lia|]. assert (HPI := PI_RGT_0).
   assert (HK : k < 1).
   { apply Rnot_le_lt. intros K. assert (Q := forward_steep r (S m) x k ltac:(lra) K Hm). discriminate. }
   specialize (HU HK). assert (HL' := HL). destruct HL' as [x0 [s0 [k0 [X0 [S0 [K0 [L0 E0]]]]]]].
@@ -335,8 +333,7 @@ Proof.
     [assert (A := nonneg_ok _ _ E1 (sub_in p _ _ _ _ K0 unI)); lra|]);
     (destruct (nonneg (I.sub p (slope lo) r1i)) eqn:E2;
     [assert (A := nonneg_ok _ _ E2 (sub_in p _ _ _ _ K0 H1)); assert (0 <= sin x) by (apply sin_ge_0; lra);
-     assert (0 <= k * (x + PI)) by (apply Rmult_le_pos; lra);
-     destruct Ch as [c [C1 C2]]; [unfold height_at; lra|];
+     assert (0 <= k * (x + PI)) by pos; destruct Ch as [c [C1 C2]]; [unfold height_at; lra|];
      apply (at_most_sound p G T HT _ _ _ _ _ H r0 c k0 H0 C1 K0 r (height_at x k PI) k);
      [unfold height_at in *; repeat split; lra | apply forward_is_ray; [lra | lra | lra | exact Hm]]|]);
     destruct (bridge_counted _ _ _ _ _) as [cd all]; destruct HB as [HB1 HB2]; destruct cd; try discriminate;

@@ -5,7 +5,7 @@
     check_leaf, check_leaf_sound == a leaf of any chart is right; then it holds all over its box *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Forward Certificate Leaves PlainCount.
+From Dumbbell Require Import Signs Trigonometry Ray Chart Forward Certificate Leaves PlainCount.
 Local Open Scope R_scope.
 
 (** L15 at one point of a chart: at most U collisions. *)
@@ -130,7 +130,7 @@ Lemma leaf_departure_sound U b n : leaf_departure U b n = true -> forall e y r, 
 Proof.
   unfold leaf_departure. intros H e y r [He [Hy Hr]] He' Hy' Hr' a Ha.
   apply andb_prop in H; destruct H as [H H3]. apply andb_prop in H; destruct H as [HU Hp]. apply N.leb_le in HU.
-  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  destruct (proper_ok b Hp) as [P1 [P2 [P3 P4]]]. assert (HPI := PI_RGT_0).
   destruct (sc_ok p G T HT _ _ (vin (e0 b))) as [S0 W0]. destruct (sc p G T (pt (e0 b))) as [s0 w0]. simpl in S0, W0.
   set (xi := until _ _) in H3.
   destruct (until_ok (PI/2) (quarter T) (e1 b) e quI ltac:(lra) ltac:(lra)) as [x1 [X1 X2]]. fold xi in X1.
@@ -162,7 +162,7 @@ Proof.
     apply not_negative_ok; [now apply sub_in | lra]. }
   assert (C0 : 0 <= r * cX t y).
   { assert (A := cX_mono t PI y 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (cX PI 0 = 0) by (unfold cX; rewrite sin_PI; ring). apply Rmult_le_pos; lra. }
+    assert (cX PI 0 = 0) by (unfold cX; rewrite sin_PI; ring). pos. }
   destruct (COS_bound t). assert (K0 : r * -1 <= r * lamX t y) by (apply Rmult_le_compat_l; unfold lamX; lra).
   assert (K := plain_ray_sound p G T HT _ _ _ _ _ _ H3 r (r * cX t y) (r * lamX t y) RI
     (not_negative_ok _ _ CI C0) (mul_in p _ _ _ _ RI LI) ltac:(lra) C0 ltac:(lra) a Ha).
@@ -197,7 +197,7 @@ Lemma less_one_ok e y q b : in_box e y q b -> in_box e (y - 1) q (less_one b).
 Proof.
   intros [A [B C]]. split; [exact A|]. split; [|exact C].
   unfold in_span in *; cbn [box_slope less_one low_end high_end part].
-  rewrite !minus_IZR. assert (D : 0 < IZR (Zpos (part (box_slope b)))) by now apply IZR_lt.
+  rewrite !minus_IZR. assert (D : 0 < IZR (Zpos (part (box_slope b)))) by pos.
   set (d := IZR (Zpos (part (box_slope b)))) in *. unfold Rdiv in *. rewrite !Rmult_minus_distr_r, !Rinv_r by lra. lra.
 Qed.
 

@@ -9,7 +9,7 @@ From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.Raux Core.Zaux.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Enclosure SineCosine Count Certificate FloatBoxes.
+From Dumbbell Require Import Trigonometry Ray Chart Enclosure SineCosine Count Certificate FloatBoxes.
 Local Open Scope R_scope.
 
 (** The slope is steep (r eta >= 1, or r lambda) on the whole box, exactly. *)
@@ -490,8 +490,7 @@ Definition check_contact (V : N) (b : box) (w : contact) : bool :=
     (contact_eta w)) (after_X w) (after_reversed w) V.
 (** That sigma X passes above the corner, the format demands; the proof has it without. *)
 Definition above_corner (b : box) (w : contact) : bool :=
-  let r := S (r1 (round_box b)) in
-  pos (fst (SI (S (near_dyadic (contact_e w))) (S (near_dyadic (contact_eta w))) r r)).
+  let r := S (r1 (round_box b)) in pos (fst (SI (S (near_dyadic (contact_e w))) (S (near_dyadic (contact_eta w))) r r)).
 Lemma check_contact_sound V b w : check_contact V b w = true -> forall e y q, in_box e y q b ->
   bridge_witness (/ q) (N.to_nat V).
 Proof.

@@ -6,7 +6,7 @@
     plain_follow, plain_follow_sound == the same of the states after a collision *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Chart Forward BoundingRays FewHits ForwardCount.
+From Dumbbell Require Import Trigonometry Ray Chart Forward BoundingRays FewHits ForwardCount.
 Local Open Scope R_scope.
 
 Module PlainCount (F : FloatOps with Definition sensible_format := true).
@@ -38,8 +38,7 @@ Definition place (c k : I.type) (z zh : F.type) : I.type * I.type * I.type * F.t
   let '(x, s, w) := earliest p G T (low c) (low k) z in
   let zh := behind_root G (up c) (up k) zh in let x1 := pt zh in
   let '(s1, w1) := sc p G T x1 in
-  let from := I.join (low0 k) w in
-  if nonneg x1 && nonneg (quarter T - x1)%i && pos (s1 - (up c + up k * x1))%i
+  let from := I.join (low0 k) w in if nonneg x1 && nonneg (quarter T - x1)%i && pos (s1 - (up c + up k * x1))%i
   then (I.join x x1, I.join s s1, I.meet (I.join w1 w) from, zh)
   else (I.join x (quarter T), I.join s (unit_ T), from, first_guess G).
 
@@ -52,8 +51,7 @@ Definition reflected (r k w : I.type) : reflection :=
   match quotient (I.meet (k * ww + r * (I.mul2 p w - k)) (k * (ww - r) + I.mul2 p (r * w)))%i d with
   | None => Undecided
   | Some k' =>
-    let a := ((w - r / w) * half T)%i in let q := (a - k)%i in
-    Returns (if pos w && pos q
+    let a := ((w - r / w) * half T)%i in let q := (a - k)%i in Returns (if pos w && pos q
              then I.meet (I.meet k' ((I.sqr p a + r) / q - a)%i) (k + (r + I.sqr p k) / q)%i else k')
   end.
 Definition missed (c k : I.type) : bool := misses p G T (low c) (low k).
@@ -77,8 +75,7 @@ Fixpoint plain_ray (n : nat) (r c k : I.type) (z zh : F.type) : bool :=
 (** All first contacts of flights above the line h + k t come at this t or later. *)
 Definition first_contact (r1 h k : I.type) : I.type :=
   let z := pt (crossing p G T 40 r1 h k F.zero) in let '(s, w) := turn p G T z in
-  let q := (r1 * w - k)%i in
-  if on_bridge p T z && pos q then low0 ((h - r1 * (s - z * w)) / q)%i
+  let q := (r1 * w - k)%i in if on_bridge p T z && pos q then low0 ((h - r1 * (s - z * w)) / q)%i
   else if pos (r1 - k)%i then low0 (h / (r1 - k))%i else I.zero.
 (** Rays of the slope n / d, where d > 0, that leave the bridge at the height h and have [way] before them. *)
 Definition one_way (m : nat) (r h n d way : I.type) : bool :=

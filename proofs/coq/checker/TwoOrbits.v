@@ -6,7 +6,7 @@
     orbit_at_most_sound, orbit_at_least_sound == and it is so *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Ray Certificate FullLeaves.
+From Dumbbell Require Import Signs Ray Certificate FullLeaves.
 Local Open Scope R_scope.
 
 (** The horizontal ray over the top of the bridge, and the ray out of a corner along the bridge's tangent. *)
@@ -40,13 +40,12 @@ Hypothesis Hq : 1 <= ratio_value q.
 Notation r := (/ ratio_value q).
 
 Lemma orbit_ratio_range : 0 < r <= 1.
-Proof. split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. Qed.
+Proof. split; [pos|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. Qed.
 Lemma orbit_ratio_in : inI r (orbit_ratio q).
 Proof.
   replace r with (IZR (Zpos (den q)) / IZR (Zpos (num q))).
   - apply div_in; apply fromZ_in.
-  - unfold ratio_value. assert (0 < IZR (Zpos (den q))) by now apply IZR_lt.
-    assert (0 < IZR (Zpos (num q))) by now apply IZR_lt. field. lra.
+  - unfold ratio_value. assert (0 < IZR (Zpos (den q))) by pos. assert (0 < IZR (Zpos (num q))) by pos. field. lra.
 Qed.
 Lemma orbit_height_in o x xi : inI x xi -> inI (first_height o x) (orbit_height o xi).
 Proof. intros H. destruct o; [exact H|]. apply mul_in; [exact (pi_in p T HT) | exact H]. Qed.
@@ -54,11 +53,11 @@ Lemma orbit_slope_in o x xi : inI x xi -> inI (first_slope o x) (orbit_slope o x
 Proof. intros H. destruct o; [exact zero_in | exact H]. Qed.
 Lemma orbit_mono o x y : x <= y -> first_height o x <= first_height o y /\ first_slope o x <= first_slope o y.
 Proof.
-  intros H. assert (0 < PI) by apply PI_RGT_0. destruct o; simpl; split; try lra. apply Rmult_le_compat_l; lra.
+  intros H. pose proof PI_RGT_0. destruct o; simpl; split; try lra. pos.
 Qed.
 Lemma orbit_nonneg o x : 0 <= x -> 0 <= first_height o x /\ 0 <= first_slope o x.
 Proof.
-  intros H. assert (0 < PI) by apply PI_RGT_0. destruct o; simpl; split; try lra. apply Rmult_le_pos; lra.
+  intros H. pose proof PI_RGT_0. destruct o; simpl; split; try lra. pos.
 Qed.
 
 Theorem orbit_at_most_sound o n : orbit_at_most o n q = true -> forall m, collides o m r -> (m <= n)%nat.

@@ -5,7 +5,8 @@
     corner_flat == in a corner the rod lies on the floor *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture OneFlight EveryState.
+From Dumbbell Require Import Trigonometry Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture
+  OneFlight EveryState.
 From Dumbbell Require Import HalfMotion.
 Local Open Scope R_scope.
 
@@ -82,7 +83,7 @@ Proof.
   assert (T0 : 0 < t) by (apply Rmin_pos; lra). assert (T1 : t <= e / 2) by apply Rmin_l.
   assert (T2 : t <= d / q) by apply Rmin_r.
   assert (T3 : t * q <= d). { replace d with (d / q * q) by (field; lra). apply Rmult_le_compat_r; lra. }
-  specialize (H t ltac:(lra)). assert (S := sin_shift 0 (A * t)). rewrite sin_0, cos_0, Rplus_0_l in S.
+  specialize (H t ltac:(lra)). assert (S := sin_near 0 (A * t)). rewrite sin_0, cos_0, Rplus_0_l in S.
   apply Rabs_le_between in S.
   assert (K * (A * t - A * t * (A * t)) <= K * sin (A * t)) by (apply Rmult_le_compat_l; lra).
   assert (t * (t * q) <= t * d) by (apply Rmult_le_compat_l; lra). unfold d, q in *.
@@ -101,14 +102,12 @@ Proof.
   destruct Hs as [H0 Ha]. split; [rewrite line_psi; unfold psi_of; rewrite Ha; field|].
   rewrite (line_yh P HP). unfold yhat_of. rewrite H0. unfold Rdiv. ring.
 Qed.
-Lemma corner_cos x : cos (PI/2 + x) = - sin x.
-Proof. rewrite cos_plus, cos_PI2, sin_PI2. ring. Qed.
 Lemma first_above t : 0 < t < e -> sin (u_of u * t) <= v_of P u * t /\ - r * sin (u_of u * t) <= v_of P u * t /\
   ~ (sin (u_of u * t) = 0 /\ v_of P u * t = 0).
 Proof.
   intros Ht. destruct (Hg t Ht) as [A [B [C _]]]. assert (A1 := arm1_pos P HP).
   destruct (L0_heights P (line s u t) HP) as [E1 E2]. fold (r_of P) in E2. destruct (corner_line t) as [Ep Ey].
-  rewrite Ep, Ey, corner_cos in E1, E2. rewrite E1 in A, C. rewrite E2 in B, C.
+  rewrite Ep, Ey, cos_right in E1, E2. rewrite E1 in A, C. rewrite E2 in B, C.
   assert (0 <= v_of P u * t + - sin (u_of u * t)) by (apply Rmult_le_reg_l with (arm1 P); lra).
   assert (0 <= v_of P u * t - r * - sin (u_of u * t)) by (apply Rmult_le_reg_l with (arm1 P); lra).
   split; [lra|]. split; [lra|]. intros [K1 K2]. apply C. rewrite K1, K2. split; ring.
@@ -135,7 +134,7 @@ Lemma corner_steep : Rabs (u_of u) <= v_of P u -> few_future s u.
 Proof.
   intros Hu. destruct first_slopes as [_ [_ Hv]]. assert (R0 := r_pos P HP).
   assert (Hf : forall t, 0 < t -> free P (line s u t)).
-  { intros t Ht. destruct (corner_line t) as [Ep Ey]. unfold free. rewrite Ep, Ey, corner_cos.
+  { intros t Ht. destruct (corner_line t) as [Ep Ey]. unfold free. rewrite Ep, Ey, cos_right.
     assert (V : 0 < v_of P u * t) by (now apply Rmult_lt_0_compat).
     assert (Rabs (u_of u) * t <= v_of P u * t) by (apply Rmult_le_compat_r; lra).
     assert (Hsin : Rabs (sin (u_of u * t)) <= Rabs (u_of u) * t).
@@ -239,7 +238,7 @@ Proof.
       ring] | exact He|].
     intros t Ht. apply near_lawful with (fun t => turned c (line s u t)); [|now apply (turn_lawful c Sc Cc), Hg].
     exists 1. split; [lra|]. intros x _. apply pos_eq; simpl; ring. }
-  assert (SC := sin2_cos2 (angle s)). unfold Rsqr in SC. rewrite S0 in SC.
+  assert (SC := unit_circle (angle s)). rewrite S0 in SC.
   assert (Cz : (cos (angle s) - 1) * (cos (angle s) + 1) = 0) by lra. apply Rmult_integral in Cz.
   destruct Cz as [C0|C0].
   - apply few_mirror, Main; simpl; [exact H0 | now rewrite sin_PI_x | rewrite cos_minus, cos_PI, sin_PI; lra|].

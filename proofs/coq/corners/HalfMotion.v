@@ -5,7 +5,8 @@
     future_count           == a half motion out of a ray has at most the ray's collisions
     later_from, later_near == later collisions from a list of times, and of two paths that agree *)
 From Coq Require Import Reals Lra Lia List FinFun.
-From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture Determinism.
+From Dumbbell Require Import Signs Trigonometry Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture
+  Determinism.
 Local Open Scope R_scope.
 
 Section Half.
@@ -145,21 +146,17 @@ Proof.
   assert (Hq : 0 < cos x * cos x + r) by (assert (0 <= cos x * cos x) by apply Rle_0_sqr; lra).
   exists x. split; [exact Hx|]. destruct (Rlt_or_le 0 (slope_den (cos x) k r)) as [HD|HD].
   - right. split; [exact HD|]. destruct (next_domain c k r x R0 Hk Hx HD) as [Q1 Q2].
-    set (k' := next_slope (cos x) k r) in *.
-    assert (Hup : 0 < u_of v') by (rewrite Bu; apply Rmult_lt_0_compat; [lra | now apply Rdiv_lt_0_compat]).
+    set (k' := next_slope (cos x) k r) in *. assert (Hup : 0 < u_of v') by (rewrite Bu; pos).
     assert (Hkk : k' * u_of v' = v_of P v') by (rewrite Bu, Bv; unfold k', next_slope; field; lra).
     assert (SR := next_start_ray P HP s1 v' x k' E1 E2 Hx0 Hup Hkk Q1).
     apply (IH _ _ _ _ (mirror p2) SR); [lra | now apply future_mirrored | now apply later_mirror].
   - left. assert (Hul : u_of v' <= 0).
-    { rewrite Bu. assert (0 <= - slope_den (cos x) k r * / (cos x * cos x + r)).
-      { apply Rmult_le_pos; [lra | left; now apply Rinv_0_lt_compat]. }
-      assert (0 <= - u_of v * (- slope_den (cos x) k r * / (cos x * cos x + r))) by (apply Rmult_le_pos; lra).
+    { rewrite Bu. assert (0 <= - slope_den (cos x) k r * / (cos x * cos x + r)) by pos. assert (0 <= - u_of v * (- slope_den (cos x) k r * / (cos x * cos x + r))) by pos.
       unfold Rdiv.
       lra. }
-    apply (future_line_none s1 v' p2 n) with (2 := F2) (3 := L2).
-    intros t Ht. assert (0 <= - u_of v' * t) by (apply Rmult_le_pos; lra).
+    apply (future_line_none s1 v' p2 n) with (2 := F2) (3 := L2). intros t Ht. assert (0 <= - u_of v' * t) by pos.
     apply over_free with (x - u_of v' * t); [rewrite line_psi, E1; ring|].
     apply (over_tangent P HP Hr1) with x; [exact Hx0 | lra|].
-    rewrite (line_yh P HP), E2. assert (0 < (v_of P v' + cos x * u_of v') * t) by (now apply Rmult_lt_0_compat). lra.
+    rewrite (line_yh P HP), E2. assert (0 < (v_of P v' + cos x * u_of v') * t) by pos. lra.
 Qed.
 End Half.

@@ -6,7 +6,7 @@
     through_few       == in all at most N(q) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Flight Symmetry Existence RealInduction OneFlight Determinism.
+From Dumbbell Require Import Signs Trigonometry Physics Flight Symmetry Existence RealInduction OneFlight Determinism.
 From Dumbbell Require Import HalfMotion FromCorner Stretch Stretches WholeMotion CollisionCount.
 Local Open Scope R_scope.
 
@@ -20,8 +20,7 @@ Hypothesis HP : real_dumbbell P.
 Lemma no_energy v : energy P v = 0 -> vy v = 0 /\ om v = 0.
 Proof.
   intros E. unfold energy in E. assert (M := mass_pos P HP). assert (I0 := inertia_pos P HP).
-  assert (A : 0 <= mass P * (vy v * vy v)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
-  assert (B : 0 <= inertia P * (om v * om v)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
+  assert (A : 0 <= mass P * (vy v * vy v)) by pos. assert (B : 0 <= inertia P * (om v * om v)) by pos.
   assert (Z : mass P * (vy v * vy v) = 0) by lra. assert (Z2 : inertia P * (om v * om v) = 0) by lra.
   apply Rmult_integral in Z. apply Rmult_integral in Z2. destruct Z as [Z|Z]; [lra|]. destruct Z2 as [Z2|Z2]; [lra|].
   apply Rmult_integral in Z. apply Rmult_integral in Z2. tauto.
@@ -31,8 +30,7 @@ Proof. intros A B. unfold energy. rewrite A, B. field. Qed.
 Lemma energy_nonneg v : 0 <= energy P v.
 Proof.
   unfold energy. assert (M := mass_pos P HP). assert (I0 := inertia_pos P HP).
-  assert (0 <= mass P * (vy v * vy v)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
-  assert (0 <= inertia P * (om v * om v)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra.
+  assert (0 <= mass P * (vy v * vy v)) by pos. assert (0 <= inertia P * (om v * om v)) by pos. lra.
 Qed.
 
 (* ---------- symmetry ---------- *)
@@ -49,12 +47,6 @@ Lemma through_before a b p t : motion_through P a b p -> within a b t -> exists 
 Proof. intros Hm Ht. destruct (Hm t Ht) as [[_ [_ [_ [v [v' [Hb _]]]]]]|[_ [v [v' [Hb _]]]]]; now exists v. Qed.
 
 (* ---------- a flight out of a corner has no other corner for a while ---------- *)
-Lemma sin_small x : 0 < Rabs x < PI -> sin x <> 0.
-Proof.
-  intros Hx. unfold Rabs in Hx. destruct (Rcase_abs x) as [L|L].
-  - assert (0 < sin (- x)) by (apply sin_gt_0; lra). rewrite sin_neg in H. lra.
-  - assert (0 < sin x) by (apply sin_gt_0; lra). lra.
-Qed.
 Lemma line_off_corner s v e t : both_down P s -> 0 < energy P v ->
   (forall t', 0 < t' < e -> 0 <= y1 P (line s v t') /\ 0 <= y2 P (line s v t')) -> 0 < t < e ->
     ~ both_down P (line s v t).
@@ -64,17 +56,16 @@ Proof.
   apply Rmult_integral in H1. assert (V : vy v = 0) by (destruct H1; lra).
   destruct (Req_dec (om v) 0) as [O|O]; [rewrite (energy_rest v V O) in Hv; lra|].
   assert (HO : 0 < Rabs (om v)) by (now apply Rabs_pos_lt). set (x := Rmin (t / 2) (/ Rabs (om v))).
-  assert (X0 : 0 < x) by (apply Rmin_pos; [lra | now apply Rinv_0_lt_compat]).
-  assert (X1 : x <= t / 2) by apply Rmin_l. assert (X2 : x <= / Rabs (om v)) by apply Rmin_r.
-  destruct (Hab x ltac:(lra)) as [A B].
+  assert (X0 : 0 < x) by (apply Rmin_pos; [lra | pos]). assert (X1 : x <= t / 2) by apply Rmin_l.
+  assert (X2 : x <= / Rabs (om v)) by apply Rmin_r. destruct (Hab x ltac:(lra)) as [A B].
   assert (Fl : both_down P (line s v x)) by (apply (flat_corner P HP); [simpl; rewrite H0, V;
     ring | exact A | exact B]).
   destruct (corner_flat P HP _ Fl) as [_ S1]. simpl in S1. rewrite sin_plus, S0, Rmult_0_l, Rplus_0_l in S1.
-  apply Rmult_integral in S1. assert (SC := sin2_cos2 (angle s)). unfold Rsqr in SC. rewrite S0 in SC.
+  apply Rmult_integral in S1. assert (SC := unit_circle (angle s)). rewrite S0 in SC.
   destruct S1 as [S1|S1]; [rewrite S1 in SC; lra|]. apply (sin_small (om v * x)) with (2 := S1).
   rewrite Rabs_mult, (Rabs_pos_eq x) by lra. assert (Rabs (om v) * x <= 1).
-  { replace 1 with (Rabs (om v) * / Rabs (om v)) by (field; lra). apply Rmult_le_compat_l; lra. }
-  assert (1 < PI/2) by exact PI2_1. split; [now apply Rmult_lt_0_compat | lra].
+  { replace 1 with (Rabs (om v) * / Rabs (om v)) by (field; lra). pos. } assert (1 < PI/2) by exact PI2_1.
+  split; [pos | lra].
 Qed.
 Lemma obeys_off_corner p m : obeys P p m -> exists d, 0 < d /\ forall t, m < t <= m + d -> ~ both_down P (p t).
 Proof.
@@ -82,14 +73,12 @@ Proof.
   destruct Ha as [e [He Ha]]. set (k := Rabs (vy v) + 1).
   assert (Hk : 0 < k) by (unfold k; assert (K := Rabs_pos (vy v)); lra).
   set (d := height (p m) / k / 2).
-  assert (Hd : 0 < d) by (unfold d; apply Rdiv_lt_0_compat; [now apply Rdiv_lt_0_compat | lra]).
-  assert (Ed : k * d = height (p m) / 2) by (unfold d; field; lra).
+  assert (Hd : 0 < d) by (unfold d; pos). assert (Ed : k * d = height (p m) / 2) by (unfold d; field; lra).
   assert (D1 : Rmin e d <= e) by apply Rmin_l. assert (D2 : Rmin e d <= d) by apply Rmin_r.
   exists (Rmin e d). split; [now apply Rmin_pos|]. intros t Ht Hc. destruct (corner_flat P HP _ Hc) as [Hz _].
   destruct (Ha t ltac:(lra)) as [E _]. rewrite E in Hz.
   assert (N : - Rabs (vy v) <= vy v) by (unfold Rabs; destruct Rcase_abs; lra).
-  assert (- Rabs (vy v) * (t - m) <= vy v * (t - m)) by (apply Rmult_le_compat_r; lra).
-  assert (Rabs (vy v) * (t - m) <= Rabs (vy v) * d) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]).
+  assert (- Rabs (vy v) * (t - m) <= vy v * (t - m)) by pos. assert (Rabs (vy v) * (t - m) <= Rabs (vy v) * d) by pos.
   unfold k in Ed. lra.
 Qed.
 

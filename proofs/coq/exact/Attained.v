@@ -5,7 +5,7 @@
     four_near        == four continuous functions are near their values at 0 at the same t > 0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart EqualMasses WitnessMotion Orbits Openness.
+From Dumbbell Require Import Signs Trigonometry Physics Ray Chart EqualMasses WitnessMotion Orbits Openness.
 Local Open Scope R_scope.
 
 Lemma four_near f1 f2 f3 f4 e d : continuity_pt f1 0 -> continuity_pt f2 0 -> continuity_pt f3 0 ->
@@ -35,8 +35,8 @@ Lemma contact_continuous : continuity_pt (fun t => r * cX (e0 + sg * t) t) 0 /\
   continuity_pt (fun t => r * cS (e0 + sg * t) t r) 0 /\ continuity_pt (fun t => r * lamS (e0 + sg * t) t r) 0.
 Proof.
   assert (H : 0 < 1 + r * (cos (e0 + sg * 0) * cos (e0 + sg * 0)) + 2 * (r * cos (e0 + sg * 0) * 0)).
-  { assert (0 <= r * (cos (e0 + sg * 0) * cos (e0 + sg * 0))) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
-  unfold cX, lamX, cS, lamS, eta_reversed. repeat split; reg; lra.
+  { assert (0 <= r * (cos (e0 + sg * 0) * cos (e0 + sg * 0))) by pos. lra. } unfold cX, lamX, cS, lamS, eta_reversed.
+  repeat split; reg; lra.
 Qed.
 Theorem L25_contact a b : r * cos e0 < 1 -> coll r a (r * cX e0 0) (r * lamX e0 0) ->
   coll r b (r * cS e0 0 r) (r * lamS e0 0 r) ->
@@ -44,13 +44,11 @@ Theorem L25_contact a b : r * cos e0 < 1 -> coll r a (r * cX e0 0) (r * lamX e0 
 Proof.
   intros Hs Ca Cb. assert (HPI := PI2_1). destruct (cos_range e0 He0) as [W0 W1].
   assert (X1 : 0 <= cX e0 0) by (unfold cX, lamX; assert (0 <= sin e0) by (apply sin_ge_0; lra);
-    assert (0 <= (cos e0 + 0) * (PI - e0)) by (apply Rmult_le_pos; lra); lra).
+    assert (0 <= (cos e0 + 0) * (PI - e0)) by pos; lra).
   assert (S1 := cS_ge e0 0 r He0 ltac:(lra) ltac:(lra)). assert (S2 := lamS_ge e0 0 r He0 ltac:(lra) ltac:(lra)).
-  assert (X2 : 0 <= r * lamX e0 0) by (unfold lamX; apply Rmult_le_pos; lra).
-  destruct (L20_raise a (r * cX e0 0) (r * lamX e0 0) r) as [ea [Ha Na]];
-    [apply Rmult_le_pos; lra | lra | lra | exact Ca|].
-  destruct (L20_raise b (r * cS e0 0 r) (r * lamS e0 0 r) r) as [eb [Hb Nb]];
-    [apply Rmult_le_pos; lra | lra | nra | exact Cb|].
+  assert (X2 : 0 <= r * lamX e0 0) by (unfold lamX; pos).
+  destruct (L20_raise a (r * cX e0 0) (r * lamX e0 0) r) as [ea [Ha Na]]; [pos | lra | lra | exact Ca|].
+  destruct (L20_raise b (r * cS e0 0 r) (r * lamS e0 0 r) r) as [eb [Hb Nb]]; [pos | lra | nra | exact Cb|].
   set (m := Rmin (Rmin ea eb) (1 - r * cos e0)). assert (M : 0 < m) by (repeat apply Rmin_glb_lt; lra).
   assert (M1 : m <= ea) by (unfold m; apply Rle_trans with (1 := Rmin_l _ _), Rmin_l).
   assert (M2 : m <= eb) by (unfold m; apply Rle_trans with (1 := Rmin_l _ _), Rmin_r).
@@ -60,15 +58,12 @@ Proof.
   rewrite Rmult_0_r, Rplus_0_r in *. set (e := e0 + sg * t) in *. assert (He : 0 < e < PI/2) by (apply Hsg; exact Ht).
   destruct (cos_range e ltac:(lra)) as [V0 V1].
   assert (Y1 : 0 <= cX e t) by (unfold cX, lamX; assert (0 <= sin e) by (apply sin_ge_0; lra);
-    assert (0 <= (cos e + t) * (PI - e)) by (apply Rmult_le_pos; lra); lra).
+    assert (0 <= (cos e + t) * (PI - e)) by pos; lra).
   assert (Y2 : 0 <= lamX e t) by (unfold lamX; lra).
   assert (Y3 := cS_ge e t r ltac:(lra) ltac:(lra) ltac:(lra)).
   assert (Y4 := lamS_ge e t r ltac:(lra) ltac:(lra) ltac:(lra)).
-  assert (Z1 : 0 <= r * cX e t) by (apply Rmult_le_pos; lra). assert (Z2 : 0 <= r * lamX e t)
-    by (apply Rmult_le_pos; lra).
-  assert (Z3 : 0 <= r * cS e t r) by (apply Rmult_le_pos; lra). assert (Z4 : r * -1 <= r * lamS e t r)
-    by (apply Rmult_le_compat_l; lra).
-  exists e, t, a, b. split; [exact He|]. split; [lra|]. split.
+  assert (Z1 : 0 <= r * cX e t) by pos. assert (Z2 : 0 <= r * lamX e t) by pos. assert (Z3 : 0 <= r * cS e t r) by pos.
+  assert (Z4 : r * -1 <= r * lamS e t r) by pos. exists e, t, a, b. split; [exact He|]. split; [lra|]. split.
   - unfold lamX in *. rewrite Rplus_0_r in T2. lra.
   - split; [apply Na; lra|]. split; [apply Nb; lra | lia].
 Qed.
@@ -109,7 +104,7 @@ Proof.
   intros Hq T C. destruct (Req_dec q 1) as [->|Hn].
   - destruct (no_orbit_at_1 k0 k1 T C) as [-> ->]. rewrite Rinv_1. apply equal_witness.
   - assert (Hr : 0 < / q < 1).
-    { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_lt_contravar; lra. }
+    { split; [pos|]. rewrite <- Rinv_1. apply Rinv_lt_contravar; lra. }
     destruct (L21_counts q k0 k1 Hq T C) as [->| ->].
     + apply L25_near_corner; [exact Hr | apply C].
     + replace (2 + S k1 + k1)%nat with (1 + S k1 + S k1)%nat by lia. apply L25_near_top; [exact Hr | apply T].

@@ -5,7 +5,7 @@
     theorem_3c            == N(q) < 2 + 2 sqrt (q/pi) *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Orbits ExactMaximum CriticalRatios.
+From Dumbbell Require Import Trigonometry Physics Ray Orbits ExactMaximum CriticalRatios.
 Local Open Scope R_scope.
 
 (** The height of flight n + 1 is below 1, and above this. *)

@@ -2,7 +2,7 @@
     (c), for every motion; at least once follows from L24. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry NormalPosition StartRay Follow.
+From Dumbbell Require Import Trigonometry Physics Ray FewHits Flight Collisions Symmetry NormalPosition StartRay Follow.
 From Dumbbell Require Import SteepRays Orbits ExactMaximum NoHeavy.
 Local Open Scope R_scope.
 

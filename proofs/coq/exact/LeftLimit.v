@@ -5,24 +5,13 @@
     theorem_2c_odd, theorem_2c_even == a ratio is critical if and only if a flight of an orbit is tangent to the hump *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray FewHits Maximum Orbits Openness ExactMaximum Monotone CriticalRatios Tangency.
+From Dumbbell Require Import Trigonometry Physics Ray FewHits Maximum Orbits Openness ExactMaximum Monotone
+  CriticalRatios Tangency.
 Local Open Scope R_scope.
 
 Definition near_below c k r n := forall e, 0 < e -> exists c' k' r', c - e <= c' <= c /\ 0 <= c' /\
   k - e <= k' <= k /\ 0 <= k' /\
   r - e <= r' <= r /\ 0 < r' /\ coll r' n c' k'.
-
-Lemma cos_steps x y : x <= y -> cos x - cos y <= y - x.
-Proof.
-  intros H. destruct (MVT_gen cos x y (fun t => - sin t)) as [t [_ E]].
-  { intros; auto_derive; [easy|ring]. } { intros; reg. }
-  destruct (SIN_bound t) as [_ B]. assert (sin t * (y - x) <= 1 * (y - x)) by (apply Rmult_le_compat_r; lra). lra.
-Qed.
-Lemma sin_steps x y : x <= y -> sin y - sin x <= y - x.
-Proof.
-  intros H. destruct (MVT_gen sin x y cos) as [t [_ E]]. { intros; auto_derive; [easy|ring]. } { intros; reg. }
-  destruct (COS_bound t) as [_ B]. assert (cos t * (y - x) <= 1 * (y - x)) by (apply Rmult_le_compat_r; lra). lra.
-Qed.
 
 (** One flight: a hit, or a tangency. *)
 Lemma hit_or_tangent c k r n : 0 <= c -> near_below c k r (S n) -> (exists x, hit c k x) \/ tangent c k.
@@ -70,7 +59,7 @@ Proof.
   assert (HB : x - y <= B * e).
   { apply Rmult_le_reg_r with (w - k); [lra|]. replace (B * e * (w - k)) with (3 * e)
     by (unfold B; field; lra). lra. }
-  assert (Z := cos_steps y x L). fold w in Z.
+  assert (Z := cos_lipschitz y x). rewrite (Rabs_pos_eq (x - y)) in Z by lra. apply Rabs_le_between in Z. fold w in Z.
   destruct (reflect_mono (w + B * e) (cos y) (k - e) k' (r - e) r') as [D1 S1]; try lra.
   exists y, k', r'. repeat split; try assumption; try lra.
   destruct H as [z [[_ [_ Z3]] _]]. destruct (COS_bound z). lra.
@@ -93,7 +82,8 @@ Proof.
   { unfold slope_num. assert (0 <= r' * (cos y - k')) by (apply Rmult_le_pos; lra).
     assert (0 <= k' * (cos y * cos y)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
   assert (R3 : (r - e) * w <= r' * cos y) by (apply Rmult_le_compat; lra).
-  assert (G : slope_den (cos y) k' r' <= D e); [|lra]. assert (Z := cos_steps y x ltac:(lra)). fold w in Z.
+  assert (G : slope_den (cos y) k' r' <= D e); [|lra]. assert (Z := cos_lipschitz y x).
+  rewrite (Rabs_pos_eq (x - y)) in Z by lra. apply Rabs_le_between in Z. fold w in Z.
   unfold D, slope_den. set (v := w + B * e). assert (V : cos y <= v) by (unfold v; lra).
   assert (0 <= (v - cos y) * ((v - k') + (cos y - k'))) by (apply Rmult_le_pos; lra).
   assert (0 <= (k' - (k - e)) * v) by (apply Rmult_le_pos; lra). lra.
@@ -130,7 +120,8 @@ Proof.
   set (k1 := next_slope (cos y) k' r') in *.
   assert (G := next_slope_grows (cos y) k' r' ltac:(lra) R2 HD). fold k1 in G.
   destruct (reflect_mono (cos y) w k' k r' r) as [_ S3]; try lra. fold k1 in S3.
-  assert (Sy := sin_steps y x ltac:(lra)). assert (S0 : 0 <= sin y) by (apply sin_ge_0; lra).
+  assert (Sy := sin_lipschitz y x). rewrite (Rabs_pos_eq (x - y)) in Sy by lra. apply Rabs_le_between in Sy.
+  assert (S0 : 0 <= sin y) by (apply sin_ge_0; lra).
   assert (P0 : 0 <= k1 * (y + PI)) by (apply Rmult_le_pos; lra).
   assert (Lo : K t * (x - B * t + PI) <= k1 * (y + PI)) by (apply mul_mono; lra).
   assert (Hi : sin y + k1 * (y + PI) <= sin x + next_slope w k r * (x + PI)) by (apply height_mono; lra).

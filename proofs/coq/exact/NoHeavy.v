@@ -6,7 +6,8 @@
     above_bridge, clears_bridge == such a motion is above the bridge, at all times and along its rays *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal.
+From Dumbbell Require Import Signs Trigonometry Physics Ray Chart Flight Collisions Symmetry NormalPosition Follow
+  SteepRays HeavyTotal.
 From Dumbbell Require Import TurningCollision LightTotal Orbits.
 Local Open Scope R_scope.
 
@@ -59,14 +60,11 @@ Proof.
   assert (Hk : 0 <= k) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
   assert (RX := light_ray P p T v k e Ha HR Hn Hu Hk Hs). destruct HR as [Hp [He Hy]].
   assert (B := clears_bridge p T v _ k 0 Hm RX ltac:(lra)). rewrite cos_0, Hp, Hy in B.
-  assert (S0 : 0 < sin e) by (apply sin_gt_0; lra). assert (K1 : 0 <= k * (PI/2)) by (apply Rmult_le_pos; lra).
-  assert (K2 : 0 <= k * e) by (apply Rmult_le_pos; lra).
-  assert (C := follow_ray P HP Hr1 n p T v _ k Hm RX ltac:(lra) ltac:(lra) Hl). split.
+  assert (S0 : 0 < sin e) by (apply sin_gt_0; lra). assert (K1 : 0 <= k * (PI/2)) by pos.
+  assert (K2 : 0 <= k * e) by pos. assert (C := follow_ray P HP Hr1 n p T v _ k Hm RX ltac:(lra) ltac:(lra) Hl). split.
   - apply H0. apply (coll_mono n) with (8 := C); lra.
   - intros [H|H]; [lra|]. assert (Hkr : r <= k) by (apply Rmult_le_reg_r with (- u_of v); lra).
-    assert (PI * r <= PI * k) by (apply Rmult_le_compat_l; lra).
-    assert (0 < PI * r) by (apply Rmult_lt_0_compat; lra).
-    apply H1. apply (coll_mono n) with (8 := C); lra.
+    assert (PI * r <= PI * k) by pos. assert (0 < PI * r) by pos. apply H1. apply (coll_mono n) with (8 := C); lra.
 Qed.
 
 (** L23: not both rays at a turning collision have slopes below r. *)
@@ -74,7 +72,7 @@ Theorem L23_one_steep w u v u' v' : 0 <= w <= 1 -> reflects P w u v u' v' ->
   0 <= u' \/ r * - u' <= v' \/ 0 <= - u \/ r * u <= - v.
 Proof.
   intros Hw [l [Hl [Eu [Ev _]]]]. assert (R0 := r_pos P HP). destruct (Rle_or_lt (r * - u') v') as [|A]; [tauto|].
-  right; right; right. assert (0 <= r * (l * (1 - w))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]).
+  right; right; right. assert (0 <= r * (l * (1 - w))) by pos.
   assert (E1 : r * u' = r * u - r * (l * w)) by (rewrite Eu; ring). lra.
 Qed.
 
@@ -86,11 +84,10 @@ Proof.
   destruct (collision_law_on_R P HP p T e Hm Hn Hc HR) as [w [w' [Hb' [Ha' HL]]]].
   assert (w = v) by (apply before_unique with p T; assumption).
   assert (w' = v') by (apply after_unique with p T; assumption).
-  subst w w'. assert (I0 : 0 <= / arm1 P) by (left; now apply Rinv_0_lt_compat).
-  assert (V1 : 0 <= v_of P v') by (unfold v_of, Rdiv; apply Rmult_le_pos; lra).
+  subst w w'. assert (I0 : 0 <= / arm1 P) by pos. assert (V1 : 0 <= v_of P v') by (unfold v_of, Rdiv; pos).
   assert (V2 : 0 <= - v_of P v).
-  { unfold v_of, Rdiv. assert (0 <= - vy v * / arm1 P) by (apply Rmult_le_pos; lra). lra. }
-  assert (Hq := reverse_motion P p Hm). assert (Nq := no_heavy_reverse P HP p Hm Hn).
+  { unfold v_of, Rdiv. assert (0 <= - vy v * / arm1 P) by pos. lra. } assert (Hq := reverse_motion P p Hm).
+  assert (Nq := no_heavy_reverse P HP p Hm Hn).
   assert (Haq : after (reverse p) (- T) (minus_v v)) by (apply reverse_after; now rewrite Ropp_involutive).
   assert (HRq : on_R P (reverse p) (- T) e) by (unfold on_R, reverse; rewrite Ropp_involutive; exact HR).
   assert (Eu : u_of (minus_v v) = - u_of v) by reflexivity. assert (Ev := v_of_minus P HP v).

@@ -2,7 +2,7 @@
     empty and open, in the chart of L8: corner distance e in (0, pi/2), steepness eta > 0 above the tangent. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Orbits Openness Attained ExactMaximum.
+From Dumbbell Require Import Trigonometry Physics Ray Chart Orbits Openness Attained ExactMaximum.
 Local Open Scope R_scope.
 
 (** The two rays of a contact (L8 (3)) have n - 1 collisions together, at least. *)

@@ -7,7 +7,7 @@
     positive_near, close_near == what continuity says near 0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray.
+From Dumbbell Require Import Signs Trigonometry Ray.
 Local Open Scope R_scope.
 
 Lemma positive_near f : continuity_pt f 0 -> 0 < f 0 -> exists d, 0 < d /\ forall t, 0 <= t < d -> 0 < f t.
@@ -39,13 +39,12 @@ Proof.
   exists (Rmin d (PI/2 - x)). split; [apply Rmin_glb_lt; lra|]. intros t [Ht0 Ht].
   assert (Ht1 : t < d) by (apply Rlt_le_trans with (1 := Ht), Rmin_l). assert (Ht2 : t < PI/2 - x)
     by (apply Rlt_le_trans with (1 := Ht), Rmin_r).
-  specialize (H t ltac:(lra)). assert (Hq : 0 < p * (1 + PI)) by (apply Rmult_lt_0_compat; lra).
-  split; [lra|]. split; [lra|].
-  apply hit_exists; [assert (0 < p * t) by (apply Rmult_lt_0_compat; lra); lra | lra|].
+  specialize (H t ltac:(lra)). assert (Hq : 0 < p * (1 + PI)) by pos. split; [lra|]. split; [lra|].
+  apply hit_exists; [assert (0 < p * t) by pos; lra | lra|].
   assert (T := sin_below_tangent (x + t) x ltac:(lra) ltac:(lra)).
   assert (K : 0 < t * (cos (x + t) - k - p * (1 + PI))) by (apply Rmult_lt_0_compat; [lra|]; assert (0 < p * t)
-    by (apply Rmult_lt_0_compat; lra); lra).
-  assert (0 <= p * t * (PI - (x + t))) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | lra]). lra.
+    by pos; lra).
+  assert (0 <= p * t * (PI - (x + t))) by pos. lra.
 Qed.
 
 (** L20, with room to spare in c, k and r. *)
@@ -56,8 +55,7 @@ Proof.
   induction n as [|n IH]; intros c k r Hc Hr Hk H; [exists 1; split; [lra | easy]|].
   destruct H as [x [Hx Hn]]. destruct (raised_hit c k x Hc Hx) as [Hp [d [Hd Hh]]]. set (p := share k x) in *.
   assert (Hx' := Hx). destruct Hx' as [Hx0 [_ Hkx]].
-  assert (Hpt : forall t, 0 < t -> 0 < p * t) by (intros t Ht; now apply Rmult_lt_0_compat).
-  destruct (Nat.eq_dec n 0) as [->|Hn0].
+  assert (Hpt : forall t, 0 < t -> 0 < p * t) by (intros t Ht; pos). destruct (Nat.eq_dec n 0) as [->|Hn0].
   - exists (p * (d / 2)). split; [apply Hpt; lra|]. intros c' k' r' C K Rr R1.
     destruct (Hh (d / 2) ltac:(lra)) as [_ [_ [y [Hy _]]]].
     destruct (flight_mono c' k' (c + p * (d / 2)) (k + p * (d / 2)) y) as [z [Hz _]]; try lra; [exact Hy|].
@@ -83,8 +81,7 @@ Proof.
       by (unfold Ct; rewrite K0, !Rplus_0_r; reflexivity).
     destruct (positive_near Dt CD D0) as [d1 [Hd1 N1]]. destruct (close_near Kt e CK He) as [d2 [Hd2 N2]].
     destruct (close_near Ct e CC He) as [d3 [Hd3 N3]].
-    set (t := Rmin (Rmin d d1) (Rmin (Rmin d2 d3) (e / p)) / 2).
-    assert (Hep : 0 < e / p) by (now apply Rdiv_lt_0_compat).
+    set (t := Rmin (Rmin d d1) (Rmin (Rmin d2 d3) (e / p)) / 2). assert (Hep : 0 < e / p) by pos.
     assert (M : 0 < Rmin (Rmin d d1) (Rmin (Rmin d2 d3) (e / p))) by (repeat apply Rmin_glb_lt; assumption).
     assert (Ht : 0 < t) by (unfold t; lra).
     assert (T1 : t < d) by (unfold t in *; assert (U1 := Rmin_l (Rmin d d1) (Rmin (Rmin d2 d3) (e / p)));

@@ -8,7 +8,7 @@
     inv_ratio                       == 0 < 1/q <= 1 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray FewHits.
+From Dumbbell Require Import Signs Ray FewHits.
 Local Open Scope R_scope.
 
 (** The ray (c, k) has n collisions, and no more: G(c, k, r) = n. *)
@@ -38,7 +38,7 @@ Lemma exactly_from_max r n c k : 0 < r -> 0 <= k -> coll r n c k -> (forall m, c
 Proof. intros Hr Hk H Hm. split; [exact H|]. intros K. apply Hm in K. lia. Qed.
 
 Lemma inv_ratio q : 1 <= q -> 0 < / q <= 1.
-Proof. intros Hq. split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. Qed.
+Proof. intros Hq. split; [pos|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. Qed.
 Theorem orbits_exist q : 1 <= q -> exists k0 k1, top_orbit q k0 /\ corner_orbit q k1.
 Proof.
   intros Hq. destruct (inv_ratio q Hq) as [R0 R1]. destruct (exactly_exists (/ q) (/ q) 0 R0 ltac:(lra)) as [k0 H0].
@@ -49,7 +49,7 @@ Qed.
 Lemma descending_ray_first r : 0 < r -> hit 0 (- r) 0 /\ slope_den (cos 0) (- r) r = 1 + r /\
   next_slope (cos 0) (- r) r = r.
 Proof.
-  intros Hr. assert (HPI : 0 < PI) by apply PI_RGT_0. unfold hit, next_slope, slope_den, slope_num.
+  intros Hr. assert (HPI := PI_RGT_0). unfold hit, next_slope, slope_den, slope_num.
   rewrite sin_0, cos_0.
   repeat split; try lra; field; lra.
 Qed.
@@ -61,7 +61,7 @@ Proof.
 Qed.
 Lemma L40_one_less r n : 0 < r -> coll r (S n) 0 (- r) -> coll r n (PI * r) r.
 Proof.
-  intros Hr [x [[Hx [Hs _]] H]]. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct H as [->|[_ H]]; [exact I|].
+  intros Hr [x [[Hx [Hs _]] H]]. assert (HPI := PI_RGT_0). destruct H as [->|[_ H]]; [exact I|].
   assert (E : x = 0).
   { destruct (Rle_lt_or_eq_dec 0 x) as [P|P]; [lra | | auto]. exfalso. assert (0 < sin x)
     by (apply sin_gt_0; lra). nra. }

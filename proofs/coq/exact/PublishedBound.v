@@ -7,7 +7,7 @@
     theorem_3a     == N(q) <= ceil (pi/gamma) *)
 From Coq Require Import Reals Machin Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Orbits ExactMaximum.
+From Dumbbell Require Import Trigonometry Physics Ray Orbits ExactMaximum.
 Local Open Scope R_scope.
 
 (** The angle of the published bound; gamma = 2 atan h with h = 1/sqrt q. *)
@@ -25,25 +25,6 @@ Lemma L28_flat c k x : 0 <= k -> PI * k <= c -> hit c k x -> PI * k < 1.
 Proof.
   intros Hk Hc [Hx [Hs _]]. assert (HPI := PI2_1). assert (0 <= k * x) by (apply Rmult_le_pos; lra).
   assert (sin x < 1); [|lra]. rewrite <- sin_PI2. apply sin_increasing_1; lra.
-Qed.
-
-Lemma atan_nonneg x : 0 <= x -> 0 <= atan x < PI/2.
-Proof.
-  intros H. destruct (atan_bound x). split; [|lra]. destruct (Rle_lt_or_eq_dec 0 x H) as [P|<-];
-    [|rewrite atan_0; lra].
-  rewrite <- atan_0. left. now apply atan_increasing.
-Qed.
-Lemma atan_mono x y : x <= y -> atan x <= atan y.
-Proof. intros [H|<-]; [left; now apply atan_increasing | apply Rle_refl]. Qed.
-Lemma atan_sum a b : 0 <= a -> 0 <= b -> a * b < 1 -> atan a + atan b = atan ((a + b) / (1 - a * b)).
-Proof.
-  intros Ha Hb Hab. set (s := (a + b) / (1 - a * b)).
-  assert (Hs : 0 <= s) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
-  assert (A := atan_nonneg a Ha). assert (B := atan_nonneg b Hb). assert (S := atan_nonneg s Hs).
-  assert (Haa : 0 <= a * a) by apply Rle_0_sqr.
-  assert (E : atan_sub s a = b) by (unfold atan_sub, s; field; split; lra).
-  symmetry. rewrite <- E. apply atan_sub_correct; rewrite ?E; try lra.
-  assert (0 <= s * a) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
 (** L31 (a), by the addition theorem at w = 1: a collision turns the slope's angle atan(k/h) by gamma at least. *)

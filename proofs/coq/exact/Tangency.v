@@ -6,7 +6,7 @@
     tangent_top_critical, tangent_corner_critical == Theorem 2 (c), from a tangency to the critical ratio *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Orbits Openness ExactMaximum CriticalRatios.
+From Dumbbell Require Import Signs Trigonometry Physics Ray Orbits Openness ExactMaximum CriticalRatios.
 Local Open Scope R_scope.
 
 (** The ray (c, k) is in the state (c', k') after n collisions, and goes on from there. *)
@@ -43,13 +43,12 @@ Lemma tangent_misses c k : 0 <= c -> tangent c k -> forall y, ~ hit c k y.
 Proof.
   intros Hc [_ HT] y Hy. assert (HPI := PI2_1). destruct (raised_hit c k y Hc Hy) as [Hp [d [Hd H]]].
   destruct (H (d / 2) ltac:(lra)) as [_ [_ [z [[Z1 [Z2 _]] _]]]]. specialize (HT z ltac:(lra)).
-  assert (P : 0 < share k y * (d / 2)) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= share k y * (d / 2) * z) by (apply Rmult_le_pos; lra). lra.
+  assert (P : 0 < share k y * (d / 2)) by pos. assert (0 <= share k y * (d / 2) * z) by pos. lra.
 Qed.
 Lemma tangent_hit c k c' k' : 0 <= c' < c -> k' <= k -> tangent c k -> exists x, hit c' k' x.
 Proof.
   intros Hc Hk [[x [Hx Hs]] _]. destruct (hit_exists c' k' x) as [y [Hy _]]; [lra | exact Hx | | now exists y].
-  assert (k' * x <= k * x) by (apply Rmult_le_compat_r; lra). lra.
+  assert (k' * x <= k * x) by pos. lra.
 Qed.
 
 (** L26: states stay in strict order. *)
@@ -63,8 +62,7 @@ Proof.
     assert (X := Hx). assert (X' := Hx'). destruct X as [X1 [X2 X3]], X' as [Y1 [Y2 Y3]].
     assert (W := cos_pos _ X1). assert (C : cos x <= cos x') by (apply cos_mono; lra).
     assert (L : x' < x).
-    { destruct (Rle_lt_or_eq_dec x' x Hxx) as [|E]; [assumption|]. subst x'. assert (k' * x <= k * x)
-      by (apply Rmult_le_compat_r; lra). lra. }
+    { destruct (Rle_lt_or_eq_dec x' x Hxx) as [|E]; [assumption|]. subst x'. assert (k' * x <= k * x) by pos. lra. }
     destruct (reflect_mono (cos x') (cos x) k' k r' r) as [D1 K1]; try lra.
     destruct (next_domain c' k' r' x') as [Q1 Q2]; try lra; [exact Hx'|]. cbv zeta in Q1, Q2. assert (HPI := PI2_1).
     assert (S : sin x' < sin x) by (apply sin_increasing_1; lra).
@@ -82,11 +80,9 @@ Lemma tangent_interval r k c s : 0 < r <= 1 -> 0 < c -> 0 <= s -> (exists a b, s
   (forall r', 0 < r' < r -> coll r' (S k) (c * r') (s * r')) /\ ~ coll r (S k) (c * r) (s * r).
 Proof.
   intros Hr Hc Hs [a [b [H HT]]]. assert (Hsr : forall t, 0 < t -> 0 < c * t /\ 0 <= s * t).
-  { intros t Ht. split; [apply Rmult_lt_0_compat | apply Rmult_le_pos]; lra. }
-  split.
+  { intros t Ht. split; [pos | pos]; lra. } split.
   - intros r' Hr'. destruct (Hsr r ltac:(lra)). destruct (Hsr r' ltac:(lra)).
-    assert (c * r' < c * r) by (apply Rmult_lt_compat_l; lra).
-    assert (s * r' <= s * r) by (apply Rmult_le_compat_l; lra).
+    assert (c * r' < c * r) by pos. assert (s * r' <= s * r) by pos.
     destruct (L26_strict k (c * r) (s * r) r (c * r') (s * r') r' a b) as [a' [b' [G1 [G2 G3]]]]; try lra; [exact H|].
     destruct (tangent_hit a b a' b' G2 G3 HT) as [x Hx]. replace (S k) with (k + 1)%nat by lia.
     apply state_more with (1 := G1). exists x. split; [exact Hx | now left].
@@ -107,8 +103,7 @@ Proof.
   - intros H. apply Rnot_le_lt. intros L. apply B.
   apply (HM (/ q) (/ p)); [apply inv_ratio; lra | | apply inv_ratio; lra | exact H].
     apply Rinv_le_contravar; lra.
-  - intros L. apply A. split; [apply inv_ratio; lra|].
-    apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | exact L].
+  - intros L. apply A. split; [apply inv_ratio; lra|]. apply Rinv_lt_contravar; [pos | exact L].
 Qed.
 Theorem tangent_top_critical q k : 1 <= q -> (exists a b, state (/ q) k (/ q) 0 a b /\ tangent a b) ->
   critical (1 + 2 * S k) q.
@@ -135,13 +130,12 @@ Proof.
   assert (Q1 : 1 <= Q) by (rewrite <- sqrt_1; apply sqrt_le_1; nra).
   assert (Hs : sin x < 0) by (apply sin_lt_0; lra). assert (Hc : cos x < 0) by (apply cos_lt_0; lra).
   assert (E : sin x = x * cos x) by (unfold tan in Ht; rewrite <- Ht at 2; field; lra).
-  assert (S2 := sin2_cos2 x). unfold Rsqr in S2. rewrite E in S2.
+  assert (S2 := unit_circle x). rewrite E in S2.
   assert (C : - cos x = / Q).
   { apply Rmult_eq_reg_l with Q; [|lra]. rewrite Rinv_r by lra.
     assert (Z : (Q * - cos x - 1) * (Q * - cos x + 1) = 0).
     { replace ((Q * - cos x - 1) * (Q * - cos x + 1)) with (Q * Q * (cos x * cos x) - 1) by ring. rewrite QQ. lra. }
-    apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|].
-    assert (0 < Q * - cos x) by (apply Rmult_lt_0_compat; lra). lra. }
+    apply Rmult_integral in Z. destruct Z as [Z|Z]; [lra|]. assert (0 < Q * - cos x) by pos. lra. }
   apply (tangent_corner_critical Q 0 Q1). exists (PI * / Q), (/ Q). split; [now split|].
   assert (Es : sin (x - PI) = PI * / Q + / Q * (x - PI)).
   { rewrite sin_minus, sin_PI, cos_PI, <- C, E. ring. }

@@ -5,7 +5,7 @@
     trade == a ray that is lower and flatter by d has as many collisions at a ratio r + p *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray.
+From Dumbbell Require Import Signs Trigonometry Ray.
 Local Open Scope R_scope.
 
 (** Slopes spread: the next slope grows with the slope at a rate of at least 1. *)
@@ -16,15 +16,15 @@ Proof.
   set (A := w * w + r). assert (HA : 0 < A) by (unfold A; nra).
   assert (D1 : slope_den w k r <= A) by (unfold slope_den, A; nra). assert (D2 : slope_den w k' r <= A)
     by (unfold slope_den, A; nra).
-  assert (P : 0 < slope_den w k r * slope_den w k' r) by (now apply Rmult_lt_0_compat).
+  assert (P : 0 < slope_den w k r * slope_den w k' r) by pos.
   assert (E : next_slope w k' r - next_slope w k r = (k' - k) * (A * A) / (slope_den w k r * slope_den w k' r)).
   { unfold next_slope.
     replace ((k' - k) * (A * A)) with (slope_num w k' r * slope_den w k r - slope_num w k r * slope_den w k' r)
       by (unfold slope_num, slope_den, A; ring). field. split; lra. }
-  assert (Q : slope_den w k r * slope_den w k' r <= A * A) by (apply Rmult_le_compat; lra).
+  assert (Q : slope_den w k r * slope_den w k' r <= A * A) by pos.
   assert (k' - k <= (k' - k) * (A * A) / (slope_den w k r * slope_den w k' r)); [|lra].
   apply Rmult_le_reg_r with (slope_den w k r * slope_den w k' r); [exact P|].
-  unfold Rdiv. rewrite (Rmult_assoc _ (/ _)), Rinv_l, Rmult_1_r by lra. apply Rmult_le_compat_l; lra.
+  unfold Rdiv. rewrite (Rmult_assoc _ (/ _)), Rinv_l, Rmult_1_r by lra. pos.
 Qed.
 
 (** Half of a gap d in the slope is worth p <= d r / 4 in r. *)
@@ -33,28 +33,23 @@ Lemma slope_for_ratio w k r d p : 0 < w <= 1 -> 0 < r -> 0 <= k -> 0 < d -> 0 <=
 Proof.
   intros Hw Hr Hk Hd Hp Hpd Hpr HD. set (k2 := k + d/2) in *.
   assert (E0 : slope_den w k (r + p) = slope_den w k2 r + (d * w - p)) by (unfold slope_den, k2; field).
-  assert (0 < d * w) by (apply Rmult_lt_0_compat; lra). split; [lra|].
-  apply frac_le; try lra.
+  assert (0 < d * w) by pos. split; [lra|]. apply frac_le; try lra.
   replace (slope_num w k2 r * slope_den w k (r + p) - slope_num w k (r + p) * slope_den w k2 r) with
     (d/2 * ((w*w + r) * (w*w + r)) - 2 * p * w * ((w - k2) * (w - k2)) - p * (d/2) * slope_den w k2 r)
     by (unfold slope_num, slope_den, k2; field).
   assert (Hk2 : 0 <= k2 < w).
   { split; [unfold k2; lra|]. apply slope_below_wall with r; lra. }
   assert (D2 : slope_den w k2 r <= w * w) by (unfold slope_den; nra).
-  assert (I1 : (w - k2) * (w - k2) <= w * w) by (apply Rmult_le_compat; lra).
-  assert (W2 : 0 <= w * w) by apply Rle_0_sqr.
+  assert (I1 : (w - k2) * (w - k2) <= w * w) by pos. assert (W2 : 0 <= w * w) by pos.
   assert (I2 : 2 * p * w * ((w - k2) * (w - k2)) <= d/2 * (w * w * (w * w))).
-  { apply Rle_trans with (2 * p * w * (w * w)); [apply Rmult_le_compat_l; [apply Rmult_le_pos|]; lra|].
+  { apply Rle_trans with (2 * p * w * (w * w)); [pos|].
     replace (2 * p * w * (w * w)) with (4 * p * (w * (w * w) / 2)) by field.
     replace (d/2 * (w * w * (w * w))) with (d * w * (w * (w * w) / 2)) by field.
-    apply Rmult_le_compat_r; [|exact Hpd].
-    assert (0 <= w * (w * w)) by (apply Rmult_le_pos; lra). lra. }
+    apply Rmult_le_compat_r; [|exact Hpd]. assert (0 <= w * (w * w)) by pos. lra. }
   assert (I3 : p * (d/2) * slope_den w k2 r <= r * (d/2) * (w * w)).
-  { apply Rmult_le_compat; try lra; [apply Rmult_le_pos; lra | apply Rmult_le_compat_r; lra]. }
-  replace (d/2 * ((w*w + r) * (w*w + r))) with 
+  { apply Rmult_le_compat; try lra; [pos | pos]. } replace (d/2 * ((w*w + r) * (w*w + r))) with
     (d/2 * (w * w * (w * w)) + 2 * (r * (d/2) * (w * w)) + d/2 * (r * r)) by field.
-  assert (0 <= r * (d/2) * (w * w)) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
-  assert (0 <= d/2 * (r * r)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra.
+  assert (0 <= r * (d/2) * (w * w)) by pos. assert (0 <= d/2 * (r * r)) by pos. lra.
 Qed.
 
 Theorem trade n : forall c k r d p, 0 <= c -> 0 <= k -> 0 < r -> r + p <= 1 -> 0 < d -> 0 <= p ->
@@ -69,8 +64,7 @@ Proof.
   assert (C : cos x' <= cos x) by (apply cos_mono; lra). set (w' := cos x') in *. set (w := cos x) in *.
   simpl in Hpd. assert (P2 := pow_R1_Rle 2 n ltac:(lra)). assert (H4 : 4 * p <= d * r) by nra.
   assert (Hwr : r <= w') by (unfold slope_den in HD; nra).
-  assert (Hdr : d * r <= d * w') by (apply Rmult_le_compat_l; lra). assert (Hdw : d * r <= 1 * r)
-    by (apply Rmult_le_compat_r; lra).
+  assert (Hdr : d * r <= d * w') by pos. assert (Hdw : d * r <= 1 * r) by pos.
   destruct (next_slope_mono_k w' (k + d/2) (k + d) r) as [HD2 _]; try lra.
   destruct (slope_for_ratio w' k r d p) as [HD3 K1]; try lra.
   assert (K2 := slopes_spread w' (k + d/2) (k + d) r ltac:(lra) Hr ltac:(lra) ltac:(lra) HD).
@@ -79,6 +73,5 @@ Proof.
   set (k1 := next_slope w k (r + p)) in *. set (K := next_slope w' (k + d) r) in *.
   assert (Kk : k1 + d/2 <= K) by lra.
   assert (S : sin x + (k1 + d/2) * (x + PI) <= sin x' + K * (x' + PI)) by (apply height_mono; lra).
-  assert (0 <= d/2 * (x + PI - 1)) by (apply Rmult_le_pos; lra).
-  apply (IH _ _ r (d/2) p); try lra. apply (coll_mono n) with (8 := Hn); lra.
+  assert (0 <= d/2 * (x + PI - 1)) by pos. apply (IH _ _ r (d/2) p); try lra. apply (coll_mono n) with (8 := Hn); lra.
 Qed.

@@ -16,7 +16,7 @@ Hypothesis H1 : forall n, coll r n (PI * r) r -> (n <= k1)%nat.
 (** L22: X is at least (r, 0), sigma X is at least (0, -r). *)
 Theorem L22_bridge : bridge_bound r (2 + k0 + k1).
 Proof.
-  intros e eta a b He Heta _ Ca Cb. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros e eta a b He Heta _ Ca Cb. assert (HPI := PI_RGT_0).
   assert (A : (a <= k0)%nat).
   { apply H0. assert (X1 := cX_mono e (PI/2) eta 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (X2 := lamX_mono e (PI/2) eta 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).

@@ -2,18 +2,10 @@
     ceil(pi/gamma) always, the two are equal if and only if pi <= N(q) gamma. *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Maximum Orbits ExactMaximum Monotone CriticalRatios PublishedBound.
+From Dumbbell Require Import Trigonometry Physics Ray Maximum Orbits ExactMaximum Monotone CriticalRatios
+  PublishedBound.
 From Dumbbell Require Import ExplicitBounds.
 Local Open Scope R_scope.
-
-Lemma PI_above_3_1 : 31/10 < PI.
-Proof.
-  assert (HPI := PI2_1). set (a := PI/12). assert (A0 : 0 < a) by (unfold a; lra).
-  assert (S : sin a < a) by (now apply sin_lt_x). assert (S0 : 0 < sin a) by (apply sin_gt_0; unfold a; lra).
-  assert (C2 := cos_2a_sin a). replace (2 * a) with (PI/6) in C2 by (unfold a; field). rewrite cos_PI6 in C2.
-  assert (R3 := sqrt_sqrt 3 ltac:(lra)). assert (P3 := sqrt_pos 3). assert (L3 : sqrt 3 < 17321/10000) by nra.
-  assert (Q : sin a * sin a < a * a) by nra. assert (K : 66975/1000000 < a * a) by lra. unfold a in K. nra.
-Qed.
 
 (** Multiples of the angle whose tangent is h, h^2 = r. *)
 Section Angles.
@@ -119,14 +111,6 @@ Proof.
   apply (second_too_high c k) with x; [lra | lra | exact Hx].
 Qed.
 
-Lemma atan_below h : 0 < h -> atan h <= h.
-Proof.
-  intros Hh. assert (A := atan_nonneg h ltac:(lra)). assert (C := cos_gt_0 (atan h) ltac:(lra) ltac:(lra)).
-  assert (T := sin_below_tangent (atan h) 0 ltac:(lra) ltac:(lra)). rewrite sin_0 in T.
-  assert (E : sin (atan h) = h * cos (atan h)).
-  { assert (K := tan_atan h). unfold tan in K. rewrite <- K at 2. field. lra. }
-  apply Rmult_le_reg_r with (cos (atan h)); [exact C|]. lra.
-Qed.
 (** With five collisions or more N(q) gamma < pi. *)
 Lemma many_not_equal q n : 1 <= q -> N_star q n -> (5 <= n)%nat -> INR n * gamma q < PI /\ 72/10 < q.
 Proof.
@@ -147,7 +131,8 @@ Proof.
     { replace (s * h * (s * h)) with ((s * s) * (h * h)) by ring. rewrite SS, HH. field. lra. }
     assert (P2 : / PI < / (31/10)) by (apply Rinv_lt_contravar; lra).
     assert (P3 : 0 < s * h) by (now apply Rmult_lt_0_compat). assert (P4 : s * h < 57/100) by nra.
-    assert (H1 : h < 19/100) by nra. assert (AB := atan_below h H0). assert (P := pos_INR n).
+    assert (H1 : h < 19/100) by nra. assert (AB := atan_moves 0 h ltac:(lra)). rewrite atan_0 in AB.
+    assert (P := pos_INR n).
     assert (INR n * (2 * atan h) <= INR n * (2 * h)) by (apply Rmult_le_compat_l; lra).
     assert (INR n * (2 * h) <= (2 + 2 * s) * (2 * h)) by (apply Rmult_le_compat_r; lra). lra.
   - assert (Cases : n = 5%nat \/ n = 6%nat \/ n = 7%nat) by lia. destruct Cases as [E|[E|E]]; rewrite E; simpl INR.

@@ -5,7 +5,8 @@
     leaves_R                   == a state at which the light mass has just left the wall R
     L15_follow, contact_follow == `forward` counts its later collisions; and those after a contact with the bridge *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart SteepRays Forward.
+From Dumbbell Require Import Trigonometry Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart
+  SteepRays Forward.
 Local Open Scope R_scope.
 
 Section FollowFlight.

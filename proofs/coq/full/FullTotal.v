@@ -3,8 +3,8 @@
 
     full_upper == bounds in the charts contact and departure bound every motion *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Statement Physics Ray Chart Flight Collisions Symmetry NormalPosition BridgeChart
-  SteepRays TurningCollision Forward FollowFlight.
+From Dumbbell Require Import Trigonometry Statement Physics Ray Chart Flight Collisions Symmetry NormalPosition
+  BridgeChart SteepRays TurningCollision Forward FollowFlight.
 Import ListNotations.
 Local Open Scope R_scope.
 

@@ -9,7 +9,7 @@
     L43b                  == sin d sin U = eps tan th (pi - U) *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray Tangency LawStatement Sines.
+From Dumbbell Require Import Trigonometry Ray Tangency LawStatement Sines.
 Local Open Scope R_scope.
 
 Lemma sin_of_atan x : sin (atan x) = x * cos (atan x).

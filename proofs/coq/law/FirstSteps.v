@@ -6,7 +6,7 @@
 From Coq Require Import Reals Lra Lia ZArith NArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Statement Maximum Certificate Decide ExactMaximum Decided LawStatement Cubes.
+From Dumbbell Require Import Signs Statement Maximum Certificate Decide ExactMaximum Decided LawStatement Cubes.
 Local Open Scope R_scope.
 
 Lemma growth_digits : 8855951/10000000 < growth < 8855952/10000000.
@@ -23,7 +23,7 @@ Qed.
 Lemma root_above c x a : 0 < c -> 0 <= x -> 0 <= a -> x * x < c * c * a -> x < c * sqrt a.
 Proof.
   intros Hc Hx Ha H. apply Rnot_le_lt. intros L. rewrite <- (sqrt_sqrt a Ha) in H. assert (P := sqrt_pos a).
-  assert (c * sqrt a * (c * sqrt a) <= x * x) by (apply Rmult_le_compat; try apply Rmult_le_pos; lra). lra.
+  assert (c * sqrt a * (c * sqrt a) <= x * x) by pos. lra.
 Qed.
 Lemma root_below c y b : 0 < c -> 0 <= y -> 0 <= b -> c * c * b <= y * y -> c * sqrt b <= y.
 Proof.
@@ -82,18 +82,18 @@ Proof.
   apply IZR_le in X0, X1, Y0, Y1, Y2, HA, HB. apply IZR_lt in X2.
   in_reals X1. in_reals X2. in_reals Y1. in_reals Y2.
   destruct growth_digits as [G1 G2]. assert (G : 0 < growth) by lra. assert (L := law_constant_digits).
-  assert (PA := sqrt_pos A). assert (PB := sqrt_pos B).
+  assert (PA : 0 <= sqrt A) by pos. assert (PB : 0 <= sqrt B) by pos.
   assert (R1 : IZR x / 1000000 < 8855951/10000000 * sqrt A) by (apply root_above; unfold A; lra).
   assert (R2 : 8855952/10000000 * sqrt B <= IZR y / 1000000) by (apply root_below; unfold B; lra).
-  assert (S1 : 8855951/10000000 * sqrt A <= growth * sqrt A) by (apply Rmult_le_compat_r; lra).
-  assert (S2 : growth * sqrt B <= 8855952/10000000 * sqrt B) by (apply Rmult_le_compat_r; lra).
+  assert (S1 : 8855951/10000000 * sqrt A <= growth * sqrt A) by pos.
+  assert (S2 : growth * sqrt B <= 8855952/10000000 * sqrt B) by pos.
   split; [|lra]. intros H9. destruct (Z.ltb_spec (Z.of_nat N) 9) as [K|_]; [lia|]. cbn [orb] in Z1.
   rewrite !andb_true_iff, !Z.leb_le, Z.ltb_lt in Z1. destruct Z1 as [[[M1 T0] T1] T2].
   change (10^30)%Z with (1000000 * 1000000 * (1000000 * 1000000) * 1000000)%Z in T1.
   apply IZR_le in M1, T1, T2. apply IZR_lt in T0. in_reals M1. in_reals T1. in_reals T2.
   split; [lra|]. assert (Q : IZR t / 1000000 <= quarter B) by (apply quarter_above; unfold B; lra).
-  assert (2046/10000 * (IZR t / 1000000) <= 2046/10000 * quarter B) by (apply Rmult_le_compat_l; lra).
-  assert (2046/10000 * quarter B < law_constant * quarter B) by (apply Rmult_lt_compat_r; lra). lra.
+  assert (2046/10000 * (IZR t / 1000000) <= 2046/10000 * quarter B) by pos.
+  assert (2046/10000 * quarter B < law_constant * quarter B) by pos. lra.
 Qed.
 
 Theorem steps_hold : steps.

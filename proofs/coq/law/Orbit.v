@@ -10,7 +10,7 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Ray Orbits CriticalRatios Tangency LeftLimit LawStatement Sines Angles Falls.
+From Dumbbell Require Import Trigonometry Ray Orbits CriticalRatios Tangency LeftLimit LawStatement Sines Angles Falls.
 Local Open Scope R_scope.
 
 Definition corner_start (eps u al : R) := u = PI/2 /\ al = 0.

@@ -5,7 +5,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Ray LawStatement Sines Angles Orbit Ends Windows.
+From Dumbbell Require Import Trigonometry Ray LawStatement Sines Angles Orbit Ends Windows.
 Local Open Scope R_scope.
 
 Lemma third : acos (PI / 2 / PI) = PI / 3.
@@ -100,7 +100,7 @@ Proof.
           apply Rle_trans with (2 * h * (1/2)); [lra | apply Rmult_le_compat_l; lra]. }
         assert (D2 : dd * dd <= 2 * h * (2 * h)) by (apply Rmult_le_compat; lra).
         replace (J / cos a) with (y + dd) by (unfold y, dd, h; field; lra).
-        assert (S := Ray.sin_shift y dd). apply Rabs_le_between in S.
+        assert (S := sin_near y dd). apply Rabs_le_between in S.
         replace (h * (- cos y / cos a)) with (- (dd * cos y)) by (unfold dd; field; lra). lra. }
     rewrite (is_RInt_unique _ _ _ _ F) in M.
     change (growth - RInt (W J) 0 (PI/3) <= h * slope_of_growth + PI/3 * (4 * (h * h))) in M.

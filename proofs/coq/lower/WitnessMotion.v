@@ -70,20 +70,20 @@ Proof.
   assert (Ep : psi_of s0 = PI/2 - e) by (unfold psi_of, s0; simpl; ring).
   assert (Ey : yh s0 = r * sin e) by (unfold yhat_of, s0; simpl; field; lra).
   assert (0 < r * sin e) by (now apply Rmult_lt_0_compat).
-  assert (Hfree : free P s0) by (unfold free; rewrite Ep, Ey, cos_top; lra).
+  assert (Hfree : free P s0) by (unfold free; rewrite Ep, Ey, cos_shift; lra).
   assert (Hy : y2 P s0 = 0).
-  { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, cos_top. unfold r_of. ring. }
+  { destruct (L0_heights P s0 HP) as [_ E]. rewrite E, Ep, Ey, cos_shift. unfold r_of. ring. }
   (* out of it with the slope of X; in with what the floor answers to the reversed velocity *)
   set (v' := {| vy := arm1 P * (r * lamX e eta); om := -1 |}).
   assert (Ev : v_of P v' = r * lamX e eta) by (unfold v_of, v'; simpl; field; lra).
   assert (Es : r * lamX e eta * - u_of v' = v_of P v') by (rewrite Ev; unfold u_of; simpl; ring).
   destruct (push_exists P HP (- (arm2 P * cos (angle s0))) (minus_v v')) as [w [Hpush Hne]].
-  { assert (K := sin_psi s0). rewrite Ep, sin_top in K. replace (cos (angle s0)) with (- cos e) by lra.
+  { assert (K := sin_psi s0). rewrite Ep, sin_shift in K. replace (cos (angle s0)) with (- cos e) by lra.
     rewrite (r_arms P HP). unfold v', lamX; simpl. assert (0 < r * eta) by (now apply Rmult_lt_0_compat).
     assert (0 < arm1 P * (r * eta)) by (now apply Rmult_lt_0_compat). lra. }
   change (push2 P s0 (minus_v v') w) in Hpush. assert (Emm : minus_v (minus_v v') = v') by (apply vel_eq; simpl; ring).
   destruct (L0_reflection2 P HP s0 _ w Hpush) as [|HL]; [contradiction|]. apply reflects_reverse in HL.
-  unfold slope2 in HL. rewrite Ep, sin_top, <- !(v_of_minus P HP), Emm in HL.
+  unfold slope2 in HL. rewrite Ep, sin_shift, <- !(v_of_minus P HP), Emm in HL.
   replace (- u_of (minus_v v')) with (u_of v') in HL by (unfold u_of; simpl; ring).
   replace (- r * cos e) with (- (r * cos e)) in HL by ring.
   destruct (bridge_slopes P HP e eta _ _ _ _ He HL ltac:(unfold u_of; simpl; lra) Es) as [_ [Hin ES]].

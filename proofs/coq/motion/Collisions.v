@@ -8,7 +8,7 @@
     after_unique                       == there is one velocity after a time *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics RealInduction LaterTimes Ray Flight.
+From Dumbbell Require Import Signs Trigonometry Physics RealInduction LaterTimes Ray Flight.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -29,15 +29,14 @@ Lemma goes_below h a vy om A : h + A * sin a = 0 -> 0 < A -> vy + A * cos a * om
   exists s, 0 < s <= eps /\ h + vy * s + A * sin (a + om * s) < 0.
 Proof.
   intros H0 HA Hw eps He. set (w := vy + A * cos a * om) in *. set (k := A * (om * om) + 1).
-  assert (Hk : 0 < k). { unfold k. assert (0 <= A * (om * om)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]). lra. }
-  assert (Hd : 0 < - w / k) by (apply Rdiv_lt_0_compat; lra).
+  assert (Hk : 0 < k). { unfold k. assert (0 <= A * (om * om)) by pos. lra. } assert (Hd : 0 < - w / k) by pos.
   set (s := Rmin eps (- w / k)). assert (S1 : 0 < s) by (apply Rmin_pos; assumption).
   assert (S2 : s <= eps) by apply Rmin_l. assert (S3 : s <= - w / k) by apply Rmin_r.
-  exists s. split; [lra|]. assert (B := sin_shift a (om * s)). apply Rabs_le_between in B.
-  assert (S4 : s * k <= - w). { replace (- w) with (- w / k * k) by (field; lra). apply Rmult_le_compat_r; lra. }
-  assert (S5 : s * (s * k) <= s * - w) by (apply Rmult_le_compat_l; lra).
-  assert (A * sin (a + om * s) <= A * (sin a + om * s * cos a + om * s * (om * s))) by (apply Rmult_le_compat_l; lra).
-  unfold w, k in *. assert (0 < s * s) by (apply Rmult_lt_0_compat; assumption). nra.
+  exists s. split; [lra|]. assert (B := sin_near a (om * s)). apply Rabs_le_between in B.
+  assert (S4 : s * k <= - w). { replace (- w) with (- w / k * k) by (field; lra). pos. }
+  assert (S5 : s * (s * k) <= s * - w) by pos.
+  assert (A * sin (a + om * s) <= A * (sin a + om * s * cos a + om * s * (om * s))) by pos. unfold w, k in *.
+  assert (0 < s * s) by pos. nra.
 Qed.
 
 Theorem collision_changes_velocity p t v : motion P p -> before p t v -> after p t v -> ~ collision P p t.

@@ -4,7 +4,7 @@
     agree, agree_at == two paths with one state at a time agree later, as long as both obey the law
     must_turn       == a mass that touches the floor does not go on downwards *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics RealInduction Flight Collisions Symmetry Existence.
+From Dumbbell Require Import Signs Physics RealInduction Flight Collisions Symmetry Existence.
 Local Open Scope R_scope.
 
 Section Determinism.
@@ -20,8 +20,7 @@ Proof.
   set (g := l / (arm1 P * arm2 P)) in *. rewrite B1, C1 in A1. rewrite B2, C2 in A2.
   assert (S : 0 < 1 + l * g). { unfold g.
     replace (l * (l / (arm1 P * arm2 P))) with (l * l * / (arm1 P * arm2 P)) by (field; lra).
-    assert (0 <= l * l * / (arm1 P * arm2 P))
-      by (apply Rmult_le_pos; [apply Rle_0_sqr | left; apply Rinv_0_lt_compat; now apply Rmult_lt_0_compat]). lra. }
+    assert (0 <= l * l * / (arm1 P * arm2 P)) by pos. lra. }
   assert (j1 = j2) by (apply Rmult_eq_reg_r with (1 + l * g); lra). subst j2. apply vel_eq; congruence.
 Qed.
 Lemma line_same p q t v s : p t = q t -> on_line p t v s -> on_line q t v s -> p s = q s.

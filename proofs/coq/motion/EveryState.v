@@ -8,7 +8,7 @@
     every_flight         == states in flight have a motion for all times, or run into a corner *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Chart Flight Symmetry Existence StartRay RayFuture OneFlight.
+From Dumbbell Require Import Trigonometry Physics Ray Chart Flight Symmetry Existence StartRay RayFuture OneFlight.
 Local Open Scope R_scope.
 
 Section General.
@@ -42,7 +42,7 @@ Proof.
   split; [unfold mirror; rewrite E0; apply pos_eq; simpl; ring|].
   split; [rewrite <- Ev; now apply mirror_after|]. split; [intros t Ht; now apply mirror_lawful, Hg|].
   split; [now apply mirror_before|].
-  destruct Hc as [C1 C2]. unfold corner, y1, y2, mirror in *; simpl. rewrite sin_mirror. now split.
+  destruct Hc as [C1 C2]. unfold corner, y1, y2, mirror in *; simpl. rewrite sin_PI_x. now split.
 Qed.
 Definition turned c (s : pos) := {| height := height s; angle := angle s + c |}.
 Section Turned.
@@ -160,9 +160,9 @@ Proof.
     destruct (ray_future P HP Hr1 _ _ _ _ RS KS) as [p [F _]]. now exists p.
 Qed.
 Lemma mirror_above_floor s : above_floor P s -> above_floor P (mirror_pos s).
-Proof. unfold above_floor, y1, y2; simpl. now rewrite sin_mirror. Qed.
+Proof. unfold above_floor, y1, y2; simpl. now rewrite sin_PI_x. Qed.
 Lemma mirror_y s : y1 P (mirror_pos s) = y1 P s /\ y2 P (mirror_pos s) = y2 P s.
-Proof. unfold y1, y2; simpl. now rewrite sin_mirror. Qed.
+Proof. unfold y1, y2; simpl. now rewrite sin_PI_x. Qed.
 Lemma turned_above_floor k s : above_floor P (turned (2 * INR k * PI) s) -> above_floor P s.
 Proof. unfold above_floor. destruct (turned_y k s) as [-> ->]. tauto. Qed.
 Lemma turned_sin k s : sin (psi_of (turned (2 * INR k * PI) s)) = sin (psi_of s).
@@ -249,7 +249,7 @@ Proof.
     assert (0 < - v_of P v * tp) by (apply Rmult_lt_0_compat; lra). lra. }
   assert (v_of P v * tp <= v_of P v * T) by (apply Rmult_le_compat_l; lra). destruct (COS_bound z) as [B1 B2].
   assert (Cz : cos z = -1) by lra.
-  assert (SC := sin2_cos2 z). unfold Rsqr in SC. rewrite Cz in SC. assert (Sz : sin z = 0).
+  assert (SC := unit_circle z). rewrite Cz in SC. assert (Sz : sin z = 0).
   { assert (sin z * sin z = 0) by lra. apply Rmult_integral in H0. tauto. }
   rewrite w1_slope in Hw. unfold slope1 in Hw. fold z in Hw. rewrite Sz in Hw.
   assert (0 <= arm1 P * (v_of P v - 0 * u_of v)) by (apply Rmult_le_pos; lra). lra.

@@ -9,7 +9,7 @@
     push_exists                       == the floor has an answer to every mass that comes in *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Flight Symmetry.
+From Dumbbell Require Import Signs Trigonometry Physics Flight Symmetry.
 Local Open Scope R_scope.
 
 Section Exists.
@@ -65,7 +65,7 @@ Proof. intros [v [A B]]. exists v. split; [now apply shift_before | exact B]. Qe
 Lemma mirror_lawful p t : lawful p t -> lawful (mirror p) t.
 Proof.
   intros [A [B [C [v [v' [D [E F]]]]]]]. unfold lawful, push1, push2, y1, y2 in *.
-  replace (sin (angle (mirror p t))) with (sin (angle (p t))) by (unfold mirror; simpl; now rewrite sin_mirror).
+  replace (sin (angle (mirror p t))) with (sin (angle (p t))) by (unfold mirror; simpl; now rewrite sin_PI_x).
   replace (cos (angle (mirror p t))) with (- cos (angle (p t))) by (unfold mirror; simpl; now rewrite cos_mirror).
   change (height (mirror p t)) with (height (p t)). repeat split; try assumption.
   exists (mirror_v v), (mirror_v v'). split; [now apply mirror_before|]. split; [now apply mirror_after|].
@@ -148,7 +148,6 @@ Proof.
       = mass P * (vy v * vy v) + inertia P * (om v * om v) + J * (2 * (vy v + lever * om v) + J * S))
         by (unfold S; field; lra).
     rewrite K, EJ. field.
-  - intros E. assert (E2 : vy v + J / mass P = vy v) by (now rewrite <- E at 2).
-    assert (0 < J / mass P) by (now apply Rdiv_lt_0_compat). lra.
+  - intros E. assert (E2 : vy v + J / mass P = vy v) by (now rewrite <- E at 2). assert (0 < J / mass P) by pos. lra.
 Qed.
 End Exists.

@@ -7,7 +7,7 @@
     floor1, contact1, contact2               == the walls in the coordinates psi, yhat
     L3_steep_no_collision                    == L3 *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics RealInduction.
+From Dumbbell Require Import Signs Physics RealInduction.
 Local Open Scope R_scope.
 
 Section Flight.
@@ -82,9 +82,8 @@ Theorem L0_reflection1 s v v' : push1 P s v v' -> v' = v \/ reflects (slope1 s) 
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
   assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope1, u_of, v_of.
-  rewrite sin_psi.
-  exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
-  - apply Rdiv_lt_0_compat; assumption.
+  rewrite sin_psi. exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by pos. repeat split.
+  - pos.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
   - apply Rmult_eq_reg_l with (arm1 P); [|lra].
@@ -99,9 +98,8 @@ Theorem L0_reflection2 s v v' : push2 P s v v' -> v' = v \/ reflects (slope2 s) 
 Proof.
   intros H. destruct (push_cases P HP _ _ _ H) as [->|[Hr [j [Hj [Hv [Ho Hw]]]]]]; [now left|right].
   assert (A1 := arm1_pos P HP). assert (R0 := r_pos). assert (E := r_arms). unfold reflects, slope2, u_of, v_of.
-  rewrite sin_psi.
-  exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by (now apply Rmult_lt_0_compat). repeat split.
-  - apply Rdiv_lt_0_compat; assumption.
+  rewrite sin_psi. exists (j / arm2 P). rewrite E in *. assert (0 < r_of * arm1 P) by pos. repeat split.
+  - pos.
   - rewrite Ho. field. lra.
   - rewrite Hv. field. lra.
   - apply Rmult_eq_reg_l with (arm1 P); [|lra].
@@ -126,21 +124,20 @@ Proof.
   assert (A1 := arm1_pos P HP). assert (E := r_arms). assert (R0 := r_pos). unfold u_of, v_of in Hs.
   assert (K : forall x, -1 <= x <= 1 -> 0 <= vy v / arm1 P + x * om v).
   { intros x Hx. assert (Rabs (x * om v) <= Rabs (om v)).
-    { rewrite Rabs_mult. assert (Rabs x <= 1) by (apply Rabs_le; lra). assert (0 <= Rabs (om v)) by apply Rabs_pos.
-      assert (Rabs x * Rabs (om v) <= 1 * Rabs (om v)) by (apply Rmult_le_compat_r; assumption). lra. }
+    { rewrite Rabs_mult. assert (Rabs x <= 1) by (apply Rabs_le; lra). assert (0 <= Rabs (om v)) by pos.
+      assert (Rabs x * Rabs (om v) <= 1 * Rabs (om v)) by pos. lra. }
     assert (- Rabs (x * om v) <= x * om v). { unfold Rabs. destruct Rcase_abs; lra. } lra. }
   assert (C := COS_bound (angle (p t))).
   destruct H as [[_ H]|[_ H]].
   - unfold w1 in H. assert (K1 := K (cos (angle (p t))) C).
-    assert (0 <= arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) by (apply Rmult_le_pos; lra).
+    assert (0 <= arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) by pos.
     replace (arm1 P * (vy v / arm1 P + cos (angle (p t)) * om v)) with (vy v + arm1 P * cos (angle (p t)) * om v) in *
       by (field; lra). lra.
   - unfold w2 in H. assert (Hx : -1 <= - (r_of * cos (angle (p t))) <= 1).
-    { assert (r_of * cos (angle (p t)) <= r_of * 1) by (apply Rmult_le_compat_l; lra).
-      assert (r_of * -1 <= r_of * cos (angle (p t))) by (apply Rmult_le_compat_l; lra). lra. }
+    { assert (r_of * cos (angle (p t)) <= r_of * 1) by pos. assert (r_of * -1 <= r_of * cos (angle (p t))) by pos. lra.
+      }
     assert (K1 := K _ Hx).
-    assert (0 <= arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) by (apply Rmult_le_pos; lra).
-    rewrite E in H.
+    assert (0 <= arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v)) by pos. rewrite E in H.
     replace (arm1 P * (vy v / arm1 P + - (r_of * cos (angle (p t))) * om v))
       with (vy v - r_of * arm1 P * cos (angle (p t)) * om v) in * by (field; lra). lra.
 Qed.
@@ -160,9 +157,5 @@ apply Rmult_integral in A. lra. Qed.
 Lemma contact2 (p : R -> pos) t : y2 P (p t) = 0 -> yhat_of P (p t) = r_of * cos (psi_of (p t)).
 Proof. intros A. assert (A1 := arm1_pos P HP). destruct (L0_heights P (p t) HP) as [_ E]. rewrite E in A.
 apply Rmult_integral in A. unfold r_of. lra. Qed.
-Lemma cos_left X : cos (- (PI/2) - X) = - sin X.
-Proof. rewrite cos_minus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring. Qed.
-Lemma sin_left X : sin (- (PI/2) - X) = - cos X.
-Proof. rewrite sin_minus, cos_neg, sin_neg, cos_PI2, sin_PI2. ring. Qed.
 End Flight.
 

@@ -5,7 +5,7 @@
     normal_position, heavy_normal_position == any collision is one, from a suitable side; of the heavy mass, too
     cell_position                          == psi in [0, pi], seen from a suitable side *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
-From Dumbbell Require Import Physics Flight Collisions Symmetry.
+From Dumbbell Require Import Signs Trigonometry Physics Flight Collisions Symmetry.
 Local Open Scope R_scope.
 
 Section NormalPosition.
@@ -39,9 +39,9 @@ Proof.
   assert (C := contact1 P HP p T H1). destruct (L0_heights P (p T) HP) as [_ E2]. rewrite E2, C in H2. fold r in H2.
   unfold r_of in *.
   assert (Cn : cos (psi_of (p T)) < 0).
-  { apply Rnot_le_lt. intros K. assert (0 <= m1 P / m2 P * cos (psi_of (p T))) by (apply Rmult_le_pos; lra).
+  { apply Rnot_le_lt. intros K. assert (0 <= m1 P / m2 P * cos (psi_of (p T))) by pos.
     assert (arm1 P * (- cos (psi_of (p T)) - m1 P / m2 P * cos (psi_of (p T))) <= 0); [|lra].
-    assert (0 <= arm1 P * (cos (psi_of (p T)) + m1 P / m2 P * cos (psi_of (p T)))) by (apply Rmult_le_pos; lra). lra. }
+    assert (0 <= arm1 P * (cos (psi_of (p T)) + m1 P / m2 P * cos (psi_of (p T)))) by pos. lra. }
   assert (K : PI/2 < psi_of (p T)). { apply Rnot_le_lt. intros K.
     assert (0 <= cos (psi_of (p T))) by (apply cos_ge_0; lra). lra. }
   exists (psi_of (p T) - PI/2). split; [ring|]. split; [lra|]. rewrite C, sin_minus, cos_PI2, sin_PI2. ring.
@@ -70,8 +70,7 @@ Proof.
   assert (F := floor1 P HP q T (same_motion _ _ _ S Hm)). exists q, (PI/2 - psi_of (q T)). split; [exact S|].
   split; [ring|]. assert (Hc : 0 < cos (psi_of (q T))).
   { apply Rnot_le_lt. intros K. assert (E : cos (psi_of (q T)) = 0).
-    { apply Rle_antisym; [exact K|]. apply Rnot_lt_le. intros L.
-      assert (0 < r * - cos (psi_of (q T))) by (apply Rmult_lt_0_compat; lra). lra. }
+    { apply Rle_antisym; [exact K|]. apply Rnot_lt_le. intros L. assert (0 < r * - cos (psi_of (q T))) by pos. lra. }
     apply (regular P q (same_motion _ _ _ S Hm) T). split; [|exact H2]. destruct (L0_heights P (q T) HP) as [E1 _].
     rewrite E1, C, E. ring. }
   split; [|lra]. apply Rnot_le_lt. intros K. assert (cos (psi_of (q T)) <= 0) by (apply cos_le_0; lra). lra.

@@ -6,18 +6,11 @@
     one_flight          == what comes of a free flight *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics RealInduction Existence.
+From Dumbbell Require Import Signs Trigonometry Physics RealInduction Existence.
 Local Open Scope R_scope.
 
 (** Heights along a flight. *)
 Definition height_at (h v A a w t : R) := h + v * t + A * sin (a + w * t).
-Lemma sin_lipschitz x y : Rabs (sin y - sin x) <= Rabs (y - x).
-Proof.
-  destruct (MVT_gen sin x y cos) as [t [Ht E]]. { intros; auto_derive; [easy|ring]. } { intros; reg. }
-  rewrite E, Rabs_mult. assert (Rabs (cos t) <= 1) by (apply Rabs_le, COS_bound).
-  assert (0 <= Rabs (y - x)) by apply Rabs_pos.
-  assert (Rabs (cos t) * Rabs (y - x) <= 1 * Rabs (y - x)) by (apply Rmult_le_compat_r; assumption). lra.
-Qed.
 Lemma height_at_lipschitz h v A a w t t' : 0 <= A ->
   Rabs (height_at h v A a w t' - height_at h v A a w t) <= (Rabs v + A * Rabs w) * Rabs (t' - t).
 Proof.
@@ -27,21 +20,18 @@ Proof.
   apply Rle_trans with (1 := Rabs_triang _ _). rewrite !Rabs_mult, (Rabs_pos_eq A HA).
   assert (S := sin_lipschitz (a + w * t) (a + w * t')).
   replace (a + w * t' - (a + w * t)) with (w * (t' - t)) in S by ring. rewrite Rabs_mult in S.
-  assert (A * Rabs (sin (a + w * t') - sin (a + w * t)) <= A * (Rabs w * Rabs (t' - t)))
-    by (now apply Rmult_le_compat_l). lra.
+  assert (A * Rabs (sin (a + w * t') - sin (a + w * t)) <= A * (Rabs w * Rabs (t' - t))) by pos. lra.
 Qed.
 Lemma height_at_open h v A a w m : 0 <= A -> 0 < height_at h v A a w m ->
   exists d, 0 < d /\ forall t, m - d <= t <= m + d -> 0 < height_at h v A a w t.
 Proof.
   intros HA HY. set (K := Rabs v + A * Rabs w). assert (HK : 0 <= K).
-  { unfold K. assert (0 <= Rabs v) by apply Rabs_pos.
-    assert (0 <= A * Rabs w) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). lra. }
-  set (d := height_at h v A a w m / (K + 1) / 2).
-  assert (Hd : 0 < d) by (unfold d; apply Rdiv_lt_0_compat; [apply Rdiv_lt_0_compat; lra | lra]).
+  { unfold K. assert (0 <= Rabs v) by pos. assert (0 <= A * Rabs w) by pos. lra. }
+  set (d := height_at h v A a w m / (K + 1) / 2). assert (Hd : 0 < d) by (unfold d; pos).
   assert (Ed : d * (2 * (K + 1)) = height_at h v A a w m) by (unfold d; field; lra).
   exists d. split; [exact Hd|]. intros t Ht. assert (L := height_at_lipschitz h v A a w m t HA). fold K in L.
   assert (Rabs (t - m) <= d) by (apply Rabs_le; lra).
-  assert (K * Rabs (t - m) <= K * d) by (now apply Rmult_le_compat_l). apply Rabs_le_between in L. lra.
+  assert (K * Rabs (t - m) <= K * d) by pos. apply Rabs_le_between in L. lra.
 Qed.
 Lemma height_at_closed h v A a w m : 0 <= A -> 0 < m -> (forall t, 0 <= t < m -> 0 <= height_at h v A a w t) ->
   0 <= height_at h v A a w m.
@@ -71,10 +61,9 @@ Proof.
     as [y [Hy F]].
   { intros; auto_derive; [easy|ring]. } { intros; reg. }
   rewrite Rmin_left, Rmax_right in Hy by lra. assert (N := Neg y ltac:(lra)).
-  assert (0 <= A * - sin (a + w * y)) by (apply Rmult_le_pos; lra). assert (0 <= w * w) by apply Rle_0_sqr.
-  assert (0 <= A * - sin (a + w * y) * (w * w) * (x - m)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | lra]).
-  assert (D : 0 <= v + A * cos (a + w * x) * w) by lra.
-  assert (0 <= (v + A * cos (a + w * x) * w) * (t - m)) by (apply Rmult_le_pos; lra). lra.
+  assert (0 <= A * - sin (a + w * y)) by pos. assert (0 <= w * w) by pos.
+  assert (0 <= A * - sin (a + w * y) * (w * w) * (x - m)) by pos. assert (D : 0 <= v + A * cos (a + w * x) * w) by lra.
+  assert (0 <= (v + A * cos (a + w * x) * w) * (t - m)) by pos. lra.
 Qed.
 
 Section Step.

@@ -7,7 +7,7 @@
     over, over_free == a point behind the left corner and above the hump there is in free flight *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry Existence StartRay.
+From Dumbbell Require Import Trigonometry Physics Ray FewHits Flight Collisions Symmetry Existence StartRay.
 Local Open Scope R_scope.
 
 Section Future.

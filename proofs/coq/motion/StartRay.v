@@ -5,7 +5,7 @@
     bridge_start_ray, next_start_ray == so it does out of a contact with the bridge, and after a collision
     mirror_pos                       == a position in the mirror *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics Ray Flight Symmetry.
+From Dumbbell Require Import Signs Trigonometry Physics Ray Flight Symmetry.
 Local Open Scope R_scope.
 
 Section StartRay.
@@ -24,7 +24,7 @@ Record start_ray (s0 : pos) (v : vel) (c k : R) : Prop := {
   sr_below : 0 <= k \/ c + k * (PI/2) < 1 }.
 Lemma start_ray_height_pos s0 v c k : start_ray s0 v c k -> 0 < c.
 Proof.
-  intros [_ _ Hc Hs Hcl _]. assert (HPI : 0 < PI) by apply PI_RGT_0. destruct (Hcl (- (PI/2)) ltac:(lra)) as [_ K].
+  intros [_ _ Hc Hs Hcl _]. assert (HPI := PI_RGT_0). destruct (Hcl (- (PI/2)) ltac:(lra)) as [_ K].
   rewrite cos_neg, cos_PI2 in K. rewrite Hc. lra.
 Qed.
 
@@ -33,21 +33,20 @@ Theorem bridge_start_ray s0 v k : u_of v < 0 -> k * - u_of v = v_of P v ->
   - (PI/2) < psi_of s0 < PI/2 -> yh s0 = r * cos (psi_of s0) -> 0 < v_of P v + r * sin (psi_of s0) * u_of v ->
   start_ray s0 v (r * cos (psi_of s0) + k * (psi_of s0 + PI/2)) k /\ - r <= k.
 Proof.
-  intros Hu Hs Hp Hy Hn. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0. set (x := psi_of s0) in *.
+  intros Hu Hs Hp Hy Hn. assert (R0 := r_pos P HP). assert (HPI := PI_RGT_0). set (x := psi_of s0) in *.
   assert (Hk : r * sin x < k). { apply Rmult_lt_reg_r with (- u_of v); lra. }
   assert (Hclear : forall z, - (PI/2) <= z < x -> 0 <= cos z /\ r * cos z < r * cos x + k * (x - z)).
   { intros z Hz. split; [apply cos_ge_0; lra|].
     assert (Tg := sin_below_tangent (PI/2 + x) (PI/2 + z) ltac:(lra) ltac:(lra)).
     rewrite !sin_plus, cos_plus, sin_PI2, cos_PI2 in Tg.
-    assert (r * cos z <= r * (cos x + sin x * (x - z))) by (apply Rmult_le_compat_l; lra).
-    assert (r * sin x * (x - z) < k * (x - z)) by (apply Rmult_lt_compat_r; lra). lra. }
+    assert (r * cos z <= r * (cos x + sin x * (x - z))) by pos. assert (r * sin x * (x - z) < k * (x - z)) by pos. lra.
+    }
   assert (SB := SIN_bound x). assert (CB := COS_bound x).
-  assert (Hkr : - r <= k) by (assert (r * -1 <= r * sin x) by (apply Rmult_le_compat_l; lra); lra).
+  assert (Hkr : - r <= k) by (assert (r * -1 <= r * sin x) by pos; lra).
   split; [split|exact Hkr]; fold x; try assumption; try lra.
-  - intros z Hz. rewrite Hy. destruct (Hclear z Hz) as [D1 D2]. assert (0 <= r * cos z) by (apply Rmult_le_pos; lra).
-    split; lra.
-  - destruct (Rle_or_lt 0 k) as [|K]; [now left | right]. assert (r * cos x <= r * 1) by (apply Rmult_le_compat_l; lra).
-    assert (0 < - k * (x + PI)) by (apply Rmult_lt_0_compat; lra). lra.
+  - intros z Hz. rewrite Hy. destruct (Hclear z Hz) as [D1 D2]. assert (0 <= r * cos z) by pos. split; lra.
+  - destruct (Rle_or_lt 0 k) as [|K]; [now left | right]. assert (r * cos x <= r * 1) by pos.
+    assert (0 < - k * (x + PI)) by pos. lra.
 Qed.
 
 (** (2) of L4 (b). *)
@@ -76,25 +75,22 @@ Lemma next_start_ray s1 v' x k' : psi_of s1 = - (PI/2) - x -> yh s1 = sin x -> 0
   k' * u_of v' = v_of P v' -> r <= k' ->
   start_ray (mirror_pos s1) (mirror_v v') (sin x + k' * (x + PI)) k'.
 Proof.
-  intros E1 E2 Hx Hu Hs Hk. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R0 := r_pos P HP).
+  intros E1 E2 Hx Hu Hs Hk. assert (HPI := PI_RGT_0). assert (R0 := r_pos P HP).
   assert (EP : psi_of (mirror_pos s1) = PI/2 + x) by (rewrite psi_mirror_pos, E1; ring).
   assert (EY : yh (mirror_pos s1) = sin x) by exact E2.
   assert (Sx : 0 < sin x) by (apply sin_gt_0; lra).
   split; rewrite ?EP, ?EY; try lra; try (unfold u_of, v_of in *; simpl; lra).
   intros z Hz. destruct (Rle_or_lt z (PI/2)) as [Kz|Kz].
-  - assert (Hk2 : r * (PI/2 + x - z) <= k' * (PI/2 + x - z)) by (apply Rmult_le_compat_r; lra).
-    assert (0 <= cos z) by (apply cos_ge_0; lra).
+  - assert (Hk2 : r * (PI/2 + x - z) <= k' * (PI/2 + x - z)) by pos. assert (0 <= cos z) by (apply cos_ge_0; lra).
     assert (cos z <= PI/2 - z). { replace (cos z) with (sin (PI/2 - z)) by (rewrite sin_minus, cos_PI2, sin_PI2; ring).
       destruct (Req_dec z (PI/2)) as [->|];
         [replace (PI/2 - PI/2) with 0 by ring; rewrite sin_0; lra | left; apply sin_lt_x; lra]. }
-    assert (r * cos z <= r * (PI/2 - z)) by (apply Rmult_le_compat_l; lra).
-    assert (0 <= r * x) by (apply Rmult_le_pos; lra).
-    assert (0 <= r * (PI/2 + x - z)) by (apply Rmult_le_pos; lra). split; lra.
+    assert (r * cos z <= r * (PI/2 - z)) by pos. assert (0 <= r * x) by pos. assert (0 <= r * (PI/2 + x - z)) by pos.
+    split; lra.
   - set (z' := z - PI/2). assert (Ez : z = PI/2 + z') by (unfold z'; ring).
     assert (Hz' : 0 < z' < x) by (unfold z'; lra).
     assert (Cz : cos z = - sin z') by (rewrite Ez, cos_plus, cos_PI2, sin_PI2; ring). rewrite Cz.
     assert (sin z' <= sin x) by (apply sin_mono; lra). assert (0 < sin z') by (apply sin_gt_0; lra).
-    assert (0 < k' * (PI/2 + x - z)) by (apply Rmult_lt_0_compat; lra).
-    assert (0 <= r * sin z') by (apply Rmult_le_pos; lra). split; lra.
+    assert (0 < k' * (PI/2 + x - z)) by pos. assert (0 <= r * sin z') by pos. split; lra.
 Qed.
 End StartRay.

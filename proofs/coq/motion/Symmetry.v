@@ -6,7 +6,7 @@
     same, same_at_most, same_later           == the same motion seen from another side; it has the same collisions *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Flight Collisions.
+From Dumbbell Require Import Signs Trigonometry Physics Flight Collisions.
 Local Open Scope R_scope.
 
 Section Symmetry.
@@ -18,8 +18,6 @@ Notation yh := (yhat_of P).
 (** Mirror: phi -> pi - phi. *)
 Definition mirror (p : R -> pos) t := {| height := height (p t); angle := PI - angle (p t) |}.
 Definition mirror_v v := {| vy := vy v; om := - om v |}.
-Lemma sin_mirror x : sin (PI - x) = sin x. Proof. now rewrite sin_PI_x. Qed.
-Lemma cos_mirror x : cos (PI - x) = - cos x. Proof. rewrite cos_minus, cos_PI, sin_PI. ring. Qed.
 Lemma mirror_before p t v : before p t v -> before (mirror p) t (mirror_v v).
 Proof. intros [e [He H]]. exists e. split; [exact He|]. intros s Hs. destruct (H s Hs). unfold mirror; simpl.
 split; lra. Qed.
@@ -31,13 +29,13 @@ Proof. intros [J [A [B [C D]]]]. exists J. unfold energy in *. simpl. repeat spl
 Theorem mirror_motion p : motion P p -> motion P (mirror p).
 Proof.
   intros Hm. split.
-  - intros t. generalize (above1 P p Hm t). unfold y1, mirror; simpl. now rewrite sin_mirror.
-  - intros t. generalize (above2 P p Hm t). unfold y2, mirror; simpl. now rewrite sin_mirror.
-  - intros t. generalize (regular P p Hm t). unfold y1, y2, mirror; simpl. now rewrite sin_mirror.
+  - intros t. generalize (above1 P p Hm t). unfold y1, mirror; simpl. now rewrite sin_PI_x.
+  - intros t. generalize (above2 P p Hm t). unfold y2, mirror; simpl. now rewrite sin_PI_x.
+  - intros t. generalize (regular P p Hm t). unfold y1, y2, mirror; simpl. now rewrite sin_PI_x.
   - intros t. destruct (law P p Hm t) as [v [v' [Hb [Ha H]]]]. exists (mirror_v v), (mirror_v v').
     split; [now apply mirror_before|]. split; [now apply mirror_after|].
     destruct H as [->|[[H0 H]|[H0 H]]]; [now left | right; left | right; right];
-      (split; [revert H0; unfold y1, y2, mirror; simpl; now rewrite sin_mirror|]).
+      (split; [revert H0; unfold y1, y2, mirror; simpl; now rewrite sin_PI_x|]).
     + unfold push1 in *. unfold mirror at 1; simpl. rewrite cos_mirror.
       replace (arm1 P * - cos (angle (p t))) with (- (arm1 P * cos (angle (p t)))) by ring. now apply mirror_push.
     + unfold push2 in *. unfold mirror at 1; simpl. rewrite cos_mirror.
@@ -87,25 +85,13 @@ Qed.
 Lemma collision_turn k p t : collision P p t -> collision P (turn k p) t.
 Proof. intros [v [Hb H]]. exists v. split; [now apply turn_before|]. unfold y1, y2, w1, w2. rewrite sin_turn, cos_turn.
 exact H. Qed.
-Lemma whole_turns_up_to n : forall x, 0 <= x <= PI + 2 * INR n * PI -> exists k, - PI <= x - 2 * INR k * PI <= PI.
-Proof.
-  assert (HPI : 0 < PI) by apply PI_RGT_0. induction n as [|n IH]; intros x Hx.
-  - exists O. simpl in *. lra.
-  - destruct (Rle_or_lt x (PI + 2 * INR n * PI)); [apply IH; lra|]. exists (S n). rewrite S_INR in *. lra.
-Qed.
-Lemma whole_turns x : 0 <= x -> exists k, - PI <= x - 2 * INR k * PI <= PI.
-Proof.
-  intros Hx. destruct (nfloor_ex x Hx) as [n Hn]. apply (whole_turns_up_to n).
-  assert (1 < PI/2) by exact PI2_1. assert (0 <= INR n) by apply pos_INR.
-  assert (INR n * 1 <= INR n * PI) by (apply Rmult_le_compat_l; lra). lra.
-Qed.
 
 Lemma psi_mirror (p : R -> pos) t : psi_of (mirror p t) = - psi_of (p t).
 Proof. unfold psi_of, mirror; simpl. lra. Qed.
 Lemma collision_mirror p t : collision P p t -> collision P (mirror p) t.
 Proof.
   intros [v [Hb H]]. exists (mirror_v v). split; [now apply mirror_before|]. unfold y1, y2, w1, w2, mirror in *; simpl.
-  rewrite sin_mirror, cos_mirror.
+  rewrite sin_PI_x, cos_mirror.
   destruct H as [[A B]|[A B]]; [left | right]; (split; [lra|]); lra.
 Qed.
 Lemma pos_eq a b : height a = height b -> angle a = angle b -> a = b.
@@ -115,7 +101,7 @@ Proof. apply functional_extensionality. intros t. apply pos_eq; simpl; ring. Qed
 Lemma reverse_reverse p : reverse (reverse p) = p.
 Proof. apply functional_extensionality. intros t. unfold reverse. now rewrite Ropp_involutive. Qed.
 Lemma y2_mirror p t : y2 P (mirror p t) = y2 P (p t).
-Proof. unfold y2, mirror; simpl. now rewrite sin_mirror. Qed.
+Proof. unfold y2, mirror; simpl. now rewrite sin_PI_x. Qed.
 
 (** A collision of the motion is one of the reversed motion. *)
 Lemma v_of_minus v : v_of P (minus_v v) = - v_of P v.
@@ -128,11 +114,11 @@ Proof.
   assert (A1 := arm1_pos P HP). assert (EA := r_arms P HP).
   destruct HL as [[H0 [l0 [_ [_ [_ [Er En]]]]]]|[H0 [l0 [_ [_ [_ [Er En]]]]]]]; [left | right]; (split; [exact H0|]).
   - unfold slope1 in *. rewrite sin_psi in *. unfold w1, u_of, v_of in *; simpl.
-    assert (K : 0 < arm1 P * (vy v' / arm1 P - - cos (angle (p T)) * om v')) by (apply Rmult_lt_0_compat; lra).
+    assert (K : 0 < arm1 P * (vy v' / arm1 P - - cos (angle (p T)) * om v')) by pos.
     replace (arm1 P * (vy v' / arm1 P - - cos (angle (p T)) * om v')) with (vy v' + arm1 P * cos (angle (p T)) * om v')
       in K by (field; lra). lra.
   - unfold slope2 in *. rewrite sin_psi in *. unfold w2, u_of, v_of in *; simpl. rewrite EA.
-    assert (K : 0 < arm1 P * (vy v' / arm1 P - - r * - cos (angle (p T)) * om v')) by (apply Rmult_lt_0_compat; lra).
+    assert (K : 0 < arm1 P * (vy v' / arm1 P - - r * - cos (angle (p T)) * om v')) by pos.
     replace (arm1 P * (vy v' / arm1 P - - r * - cos (angle (p T)) * om v'))
       with (vy v' - r * arm1 P * cos (angle (p T)) * om v') in K by (field; lra). lra.
 Qed.

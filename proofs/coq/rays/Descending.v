@@ -5,7 +5,7 @@
     L10_descending_rays == a descending ray has as many collisions at a smaller r *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray.
+From Dumbbell Require Import Signs Trigonometry Ray.
 Local Open Scope R_scope.
 
 (** The polynomial inequality E >= 0. *)
@@ -62,7 +62,7 @@ Lemma L10_derive t : 0 < c - a * t -> 0 < sin t -> 0 < cos t <= 1 -> is_derive i
 Proof.
   intros H1 H2 H0. assert (H7 : 0 < ratio_at t) by (apply Rdiv_lt_0_compat; assumption).
   assert (H4 := L10_num_pos (cos t) (ratio_at t) H0 H7). assert (H5 := Rgt_not_eq _ _ H4).
-  assert (HE : cos t * cos t = 1 - sin t * sin t) by (generalize (sin2_cos2 t); unfold Rsqr; lra).
+  assert (HE : cos t * cos t = 1 - sin t * sin t) by (generalize (unit_circle t); lra).
   unfold inverse_slope, inverse_slope', ratio_at, slope_den, L10_num, L10_sign in *. auto_derive.
   - change (c + - (a * t)) with (c - a * t). unfold Rdiv, Rminus in H5. repeat split; try exact H5; lra.
   - set (g := c - a * t) in *. replace (c + - (a * t)) with g in * by (unfold g; ring).
@@ -79,12 +79,11 @@ Qed.
 Lemma ratio_between x0 x t : 0 < x0 -> x < PI/2 -> 0 < c - a * x -> x0 <= t <= x ->
   0 < c - a * t /\ 0 < sin t /\ 0 < cos t <= 1 /\ 0 < ratio_at t <= ratio_at x.
 Proof.
-  intros H0 Hx Hg Ht. assert (a * t <= a * x) by (apply Rmult_le_compat_l; lra).
-  assert (0 < sin t) by (apply sin_gt_0; lra). assert (sin t <= sin x) by (apply sin_mono; lra).
-  split; [lra|]. split; [assumption|]. split; [split; [apply cos_pos; lra | apply COS_bound]|].
-  split; [apply Rdiv_lt_0_compat; lra|]. apply frac_le; [lra | lra|].
-  assert (0 <= sin t * (a * x - a * t)) by (apply Rmult_le_pos; lra).
-  assert (0 <= (sin x - sin t) * (c - a * t)) by (apply Rmult_le_pos; lra). lra.
+  intros H0 Hx Hg Ht. assert (a * t <= a * x) by pos. assert (0 < sin t) by (apply sin_gt_0; lra).
+  assert (sin t <= sin x) by (apply sin_mono; lra). split; [lra|]. split; [assumption|].
+  split; [split; [apply cos_pos; lra | apply COS_bound]|]. split; [apply Rdiv_lt_0_compat; lra|].
+  apply frac_le; [lra | lra|]. assert (0 <= sin t * (a * x - a * t)) by pos.
+  assert (0 <= (sin x - sin t) * (c - a * t)) by pos. lra.
 Qed.
 Lemma inverse_slope_falls x0 x : 0 < x0 -> x0 <= x -> x < PI/2 -> 0 < c - a * x -> ratio_at x <= 1 ->
   inverse_slope x <= inverse_slope x0.
@@ -103,7 +102,7 @@ Proof.
     (sin t * (L10_num (cos t) (ratio_at t) a * L10_num (cos t) (ratio_at t) a)))) with
     (ratio_at t * L10_sign (cos t) (ratio_at t) a /
     (sin t * (L10_num (cos t) (ratio_at t) a * L10_num (cos t) (ratio_at t) a))) by (field; lra).
-  apply Rmult_le_pos; [apply Rmult_le_pos; lra | left; now apply Rinv_0_lt_compat].
+  pos.
 Qed.
 (** At the corner, t = 0, every ratio hits; there 1 / kappa' falls, too. *)
 Lemma inverse_slope_at_corner r0 r : 0 < r0 -> r0 <= r -> r <= 1 ->
@@ -113,7 +112,7 @@ Proof.
   replace ((1 * 1 - 2 * (r0 * - a) * 1 - r0) * (r * (2 * 1 - a * (1 * 1) + r * a)) -
     (1 * 1 - 2 * (r * - a) * 1 - r) * (r0 * (2 * 1 - a * (1 * 1) + r0 * a)))
     with ((r - r0) * ((2 - a) + a * (r + r0) + r * r0 * a * (2 * a - 1))) by ring.
-  apply Rmult_le_pos; [lra|]. assert (0 <= r * r0) by (apply Rmult_le_pos; lra). assert (r * r0 <= r) by nra. nra.
+  apply Rmult_le_pos; [lra|]. assert (0 <= r * r0) by pos. assert (r * r0 <= r) by nra. nra.
 Qed.
 End Descending.
 
@@ -126,14 +125,13 @@ Proof.
   assert (0 <= sin x) by (apply sin_ge_0; lra). assert (Hg : 0 <= c + lam * x) by (apply Rmult_le_reg_l with r; lra).
   destruct (Req_dec (sin x) 0) as [Z|Z].
   - exists x. assert (c + lam * x = 0) by (apply Rmult_eq_reg_l with r; lra). repeat split; try lra; nra.
-  - apply hit_exists; [apply Rmult_le_pos; lra | lra |].
-    assert (0 < c + lam * x) by (apply Rmult_lt_reg_l with r; lra).
-    assert (r0 * (c + lam * x) < r * (c + lam * x)) by (apply Rmult_lt_compat_r; lra). lra.
+  - apply hit_exists; [pos | lra |]. assert (0 < c + lam * x) by (apply Rmult_lt_reg_l with r; lra).
+    assert (r0 * (c + lam * x) < r * (c + lam * x)) by pos. lra.
 Qed.
 Lemma hit_at_corner c a r x : 0 < r -> 0 < a -> hit (r*c) (r * - a) x -> c = 0 -> x = 0.
 Proof.
   intros Hr Ha [Hx [Hs _]] ->. destruct (Rle_lt_or_eq_dec 0 x) as [P|P]; [lra | | auto]. exfalso.
-  assert (0 < sin x) by (apply sin_gt_0; lra). assert (0 < r * (a * x)) by (repeat apply Rmult_lt_0_compat; lra). lra.
+  assert (0 < sin x) by (apply sin_gt_0; lra). assert (0 < r * (a * x)) by pos. lra.
 Qed.
 Lemma L10_inverse_slopes c a r r0 x x0 : 0 < a <= 1 -> 0 <= c -> 0 < r0 -> r0 < r -> r <= 1 ->
   hit (r*c) (r * - a) x -> hit (r0*c) (r0 * - a) x0 -> x0 <= x ->
@@ -144,11 +142,10 @@ Proof.
   - destruct Hh as [Hx _], Hh0 as [Hx0 _].
     assert (X0 : 0 < x0).
     { destruct (Rle_lt_or_eq_dec 0 x0) as [|Z]; [lra | assumption |]. rewrite <- Z, sin_0 in E0.
-      assert (0 < r0 * c) by (apply Rmult_lt_0_compat; lra). lra. }
+      assert (0 < r0 * c) by pos. lra. }
     assert (G : 0 < c - a * x)
       by (apply Rmult_lt_reg_l with r; [lra|]; assert (0 < sin x) by (apply sin_gt_0; lra); lra).
-    assert (a * x0 <= a * x) by (apply Rmult_le_compat_l; lra).
-    assert (R : ratio_at c a x = r) by (unfold ratio_at; rewrite E; field; lra).
+    assert (a * x0 <= a * x) by pos. assert (R : ratio_at c a x = r) by (unfold ratio_at; rewrite E; field; lra).
     assert (R0 : ratio_at c a x0 = r0) by (unfold ratio_at; rewrite E0; field; lra).
     assert (K := inverse_slope_falls c a Ha x0 x X0 Hxx ltac:(lra) G ltac:(lra)). unfold inverse_slope in K.
     rewrite R, R0 in K. replace (r * - a) with (- (r * a)) by ring. replace (r0 * - a) with (- (r0 * a)) by ring.
@@ -168,10 +165,9 @@ Proof.
   assert (W : 0 < cos x <= 1) by (split; [apply cos_pos; apply Hh | apply COS_bound]).
   assert (W0 : 0 < cos x0 <= 1) by (split; [apply cos_pos; apply Hh0 | apply COS_bound]).
   assert (Q := L10_num_pos a Ha (cos x) r W ltac:(lra)). assert (Q0 := L10_num_pos a Ha (cos x0) r0 W0 Hr0).
-  assert (0 < slope_den (cos x) (r * - a) r / L10_num (cos x) r a) by (now apply Rdiv_lt_0_compat).
+  assert (0 < slope_den (cos x) (r * - a) r / L10_num (cos x) r a) by pos.
   assert (D0 : 0 < slope_den (cos x0) (r0 * - a) r0).
-  { apply Rmult_lt_reg_r with (/ L10_num (cos x0) r0 a); [now apply Rinv_0_lt_compat|]. rewrite Rmult_0_l.
-    unfold Rdiv in *. lra. }
+  { apply Rmult_lt_reg_r with (/ L10_num (cos x0) r0 a); [pos|]. rewrite Rmult_0_l. unfold Rdiv in *. lra. }
   split; [exact D0|]. unfold next_slope.
   rewrite !L10_slope_num, <- (Rinv_div (slope_den _ _ r0)), <- (Rinv_div (slope_den _ _ r)).
   now apply Rinv_le_contravar.

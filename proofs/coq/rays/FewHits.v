@@ -5,16 +5,15 @@
     L5f_bounded, L5f_bounded_below_zero, L5f_few_both == so many collisions and no more, as slopes grow by 2 r *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Ray.
+From Dumbbell Require Import Signs Trigonometry Ray.
 Local Open Scope R_scope.
 
 (** L4 (a): the hit is unique. *)
 Lemma hit_unique c k x x' : hit c k x -> hit c k x' -> x = x'.
 Proof.
   assert (G : forall x x', hit c k x -> hit c k x' -> x < x' -> False).
-  { clear x x'. intros x x' [H1 [H2 H3]] [K1 [K2 K3]] L. assert (HPI : 0 < PI) by apply PI_RGT_0.
-    assert (T := sin_below_tangent x' x ltac:(lra) ltac:(lra)).
-    assert (0 < (x' - x) * (cos x' - k)) by (apply Rmult_lt_0_compat; lra). lra. }
+  { clear x x'. intros x x' [H1 [H2 H3]] [K1 [K2 K3]] L. assert (HPI := PI_RGT_0).
+    assert (T := sin_below_tangent x' x ltac:(lra) ltac:(lra)). assert (0 < (x' - x) * (cos x' - k)) by pos. lra. }
   intros H K. destruct (Rtotal_order x x') as [L|[L|L]];
     [exfalso; now apply (G x x') | exact L | exfalso; now apply (G x' x)].
 Qed.
@@ -30,12 +29,10 @@ Proof.
 Qed.
 Theorem L5f_bounded r : 0 < r -> exists M, forall n c k, 0 <= k -> coll r n c k -> (n <= M)%nat.
 Proof.
-  intros Hr. assert (H0 : 0 <= / (2 * r)) by (left; apply Rinv_0_lt_compat; lra).
-  destruct (nfloor_ex (/ (2 * r)) H0) as [m Hm]. exists (S m). intros [|n] c k Hk H; [lia|].
-  assert (F := L5f_slopes_grow r n Hr c k Hk H). assert (E : 2 * r * / (2 * r) = 1) by (field; lra).
-  assert (INR n < INR m + 1).
-  { apply Rmult_lt_reg_l with (2 * r); [lra|].
-    assert (2 * r * / (2 * r) < 2 * r * (INR m + 1)) by (apply Rmult_lt_compat_l; lra). lra. }
+  intros Hr. assert (H0 : 0 <= / (2 * r)) by pos. destruct (nfloor_ex (/ (2 * r)) H0) as [m Hm]. exists (S m).
+  intros [|n] c k Hk H; [lia|]. assert (F := L5f_slopes_grow r n Hr c k Hk H).
+  assert (E : 2 * r * / (2 * r) = 1) by (field; lra). assert (INR n < INR m + 1).
+  { apply Rmult_lt_reg_l with (2 * r); [lra|]. assert (2 * r * / (2 * r) < 2 * r * (INR m + 1)) by pos. lra. }
   rewrite <- S_INR in H1. apply INR_lt in H1. lia.
 Qed.
 Theorem L5f_bounded_below_zero r : 0 < r -> exists M, forall n c k, - r <= k -> coll r n c k -> (n <= M)%nat.
@@ -61,7 +58,7 @@ Proof.
   intros Hr Hn Ha Hb Ca Cb. assert (A := L5f_few_hits r a Hr ca ka Ha Ca).
   assert (B := L5f_few_hits r b Hr cb kb Hb Cb).
   assert (K : INR (1 + a + b) < INR (n + 1)).
-  { rewrite !plus_INR. simpl (INR 1). assert (2 * r * (/ r + 4) <= 2 * r * INR n) by (apply Rmult_le_compat_l; lra).
+  { rewrite !plus_INR. simpl (INR 1). assert (2 * r * (/ r + 4) <= 2 * r * INR n) by pos.
     replace (2 * r * (/ r + 4)) with (2 + 8 * r) in H by (field; lra). apply Rmult_lt_reg_l with (2 * r); lra. }
   apply INR_lt in K. lia.
 Qed.

@@ -7,7 +7,7 @@
     forward r n x k                == the state at x with the slope k may have n later collisions
     contact_bound, departure_bound == all points of the two charts have at most U *)
 From Coq Require Import Reals Lra Lia.
-From Dumbbell Require Import Ray Chart.
+From Dumbbell Require Import Signs Ray Chart.
 Local Open Scope R_scope.
 
 (** A flight that leaves R to the left, at the corner distance x with the slope k: its height at psi = pi/2 - t. *)
@@ -44,14 +44,14 @@ Lemma next_leaves w k r : 0 < w * w + r -> k < w -> 0 < slope_den w k r -> - w <
 Proof.
   intros Hq Hk HD. unfold next_slope. apply Rmult_lt_reg_r with (slope_den w k r); [exact HD|].
   unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-  assert (0 < (w * w + r) * (w - k)) by (apply Rmult_lt_0_compat; lra). unfold slope_num, slope_den in *. lra.
+  assert (0 < (w * w + r) * (w - k)) by pos. unfold slope_num, slope_den in *. lra.
 Qed.
 
 (** L3: no later collision. *)
 Lemma forward_steep r n x k : 0 < r <= 1 -> 1 <= k -> forward r n x k -> n = O.
 Proof.
   intros Hr Hk. destruct n as [|n]; [easy|]. intros [[t [[_ [_ Ht]] _]]|[_ [y [_ [[_ [_ Hy]] _]]]]].
-  - destruct (COS_bound t). assert (r * cos t <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
+  - destruct (COS_bound t). assert (r * cos t <= r * 1) by pos. lra.
   - destruct (COS_bound y). lra.
 Qed.
 (** As steep as the bridge, it never meets it: it is a ray. *)
@@ -59,7 +59,7 @@ Lemma forward_is_ray r n : 0 < r <= 1 -> forall x k, 0 <= x <= PI/2 -> r <= k ->
   coll r n (height_at x k PI) k.
 Proof.
   intros Hr. induction n as [|n IH]; [easy|]. intros x k Hx Hk [[t [[_ [_ Ht]] _]]|[_ [y [_ [Hy Hn]]]]].
-  - destruct (COS_bound t). assert (r * cos t <= r * 1) by (apply Rmult_le_compat_l; lra). lra.
+  - destruct (COS_bound t). assert (r * cos t <= r * 1) by pos. lra.
   - exists y. split; [exact Hy|]. destruct Hn as [Hn|[HD Hn]]; [now left | right]. split; [exact HD|].
     destruct (next_domain (height_at x k PI) k r y ltac:(lra) ltac:(lra) Hy HD) as [K _]. simpl.
     apply IH; [destruct Hy; lra | exact K | exact Hn].

@@ -2,7 +2,7 @@
     for two point masses on which nothing acts but the rod, along itself, with any force. *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Newton.
+From Dumbbell Require Import Trigonometry Physics Newton.
 Local Open Scope R_scope.
 
 (** Between the times lo and hi: the places and velocities of the masses, horizontal and vertical, the angle of the rod,
@@ -65,12 +65,10 @@ Proof.
     + apply (is_derive_minus (V := R_NormedModule)); assumption.
     + auto_derive; [now exists (rate t)|]. rewrite (slope _ _ _ O). ring.
 Qed.
-Lemma unit_circle x : cos x * cos x + sin x * sin x = 1.
-Proof. rewrite Rplus_comm. exact (sin2_cos2 x). Qed.
 Lemma speed_turns t : inside t -> om (speed t) = rate t.
 Proof.
   intros Ht. destruct (velocities t Ht) as [A B]. unfold speed, vel_of; simpl. rewrite A, B.
-  transitivity ((cos (th t) * cos (th t) + sin (th t) * sin (th t)) * rate t); [|rewrite unit_circle; ring].
+  transitivity ((sin (th t) * sin (th t) + cos (th t) * cos (th t)) * rate t); [|rewrite unit_circle; ring].
   field. destruct HP as [? [? ?]]. lra.
 Qed.
 

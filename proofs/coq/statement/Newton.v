@@ -10,7 +10,7 @@
     newton_push1, newton_push2, push1_newton, push2_newton == it makes the pushes of the statement, and all of them
     kinetic_energy == the masses' energy is the statement's, and that of the horizontal motion *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Trigonometry Physics.
 Local Open Scope R_scope.
 
 Section Newton.
@@ -38,7 +38,7 @@ Theorem vertical_velocities s a1 b1 a2 b2 : rigid (angle s) a1 b1 a2 b2 ->
 Proof.
   intros Hr v. unfold rigid in Hr. assert (M := mass_pos P HP). unfold v, w1, w2, vel_of, arm1, arm2, mass in *; simpl.
   destruct HP as [P1 [P2 P3]]. set (c := cos (angle s)) in *. set (S := sin (angle s)) in *.
-  assert (HS : S * S = 1 - c * c) by (generalize (sin2_cos2 (angle s)); unfold Rsqr, c, S; lra).
+  assert (HS : S * S = 1 - c * c) by (generalize (unit_circle (angle s)); unfold c, S; lra).
   assert (E : ((b1 - b2) * c - (a1 - a2) * S) * c = b1 - b2).
   { replace (((b1 - b2) * c - (a1 - a2) * S) * c) with ((b1 - b2) * (c * c) - S * ((a1 - a2) * c)) by ring.
     replace ((a1 - a2) * c) with (- ((b1 - b2) * S)) by lra.
@@ -57,7 +57,7 @@ Proof.
   assert (E : ((b1 - b2) * cos th - (a1 - a2) * sin th) * ((b1 - b2) * cos th - (a1 - a2) * sin th) =
     (a1 - a2) * (a1 - a2) + (b1 - b2) * (b1 - b2)).
   { set (c := cos th) in *. set (S := sin th) in *.
-    assert (HS : S * S + c * c = 1) by (generalize (sin2_cos2 th); unfold Rsqr, c, S; lra).
+    assert (HS : S * S + c * c = 1) by (generalize (unit_circle th); unfold c, S; lra).
     replace (((b1 - b2) * c - (a1 - a2) * S) * ((b1 - b2) * c - (a1 - a2) * S)) with
       (((a1 - a2) * (a1 - a2) + (b1 - b2) * (b1 - b2)) * (S * S + c * c) -
       ((a1 - a2) * c + (b1 - b2) * S) * ((a1 - a2) * c + (b1 - b2) * S)) by ring. rewrite Hr, HS. ring. }
@@ -125,7 +125,7 @@ Proof.
   exists ((m1 P * J2 - m2 P * J1) / mass P * sin (angle s)).
   unfold a1_of, a2_of, w1, w2. rewrite E1, E2, (inertia_eq P HP). unfold arm1, arm2, mass in *.
   assert (HS : cos (angle s) * cos (angle s) = 1 - sin (angle s) * sin (angle s))
-    by (generalize (sin2_cos2 (angle s)); unfold Rsqr; lra).
+    by (generalize (unit_circle (angle s)); lra).
   set (c := cos (angle s)) in *. set (S := sin (angle s)) in *. destruct HP as [P1 [P2 P3]].
   split; [field; lra|]. split; [|split; [field; lra|]]; apply Rminus_diag_uniq.
   - transitivity ((J1 * m2 P - J2 * m1 P) / (m1 P + m2 P) * (c * c - (1 - S * S))); [field; lra | rewrite HS; ring].

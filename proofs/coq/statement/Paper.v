@@ -1,7 +1,7 @@
 (** That the statement is the source paper's: its collision law (4) of the mass m1, and its boundaries (2a) to (2c) of
     the floor. The paper has a rod of length 1, and measures the height in units of sqrt (inertia / mass). *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Signs Physics.
 Local Open Scope R_scope.
 
 Section Paper.
@@ -13,7 +13,7 @@ Definition beta2 := m2 P / mass P.
 Lemma betas : 0 < beta1 /\ 0 < beta2 /\ beta1 + beta2 = 1 /\ arm1 P = beta2 /\ arm2 P = beta1.
 Proof.
   assert (M := mass_pos P HP). unfold beta1, beta2, arm1, arm2, mass in *. destruct HP as [H1 [H2 _]]. rewrite Hl.
-  repeat split; try (apply Rdiv_lt_0_compat; lra); field; lra.
+  repeat split; try pos; field; lra.
 Qed.
 
 (** (4): the velocity after a collision of m1. *)
@@ -24,8 +24,7 @@ Theorem push_is_law_4 s v v' : w1 P s v < 0 -> v' <> v -> (push1 P s v v' <-> v'
 Proof.
   intros Hw Hn. destruct betas as [B1 [B2 [_ [A1 A2]]]]. assert (M := mass_pos P HP). assert (I := inertia_eq P HP).
   unfold w1 in Hw. unfold law_4. rewrite A1 in Hw. set (c := cos (angle s)) in *.
-  assert (C : 0 <= beta2 * (c * c)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
-  assert (D : 0 < beta1 + beta2 * (c * c)) by lra. split.
+  assert (C : 0 <= beta2 * (c * c)) by pos. assert (D : 0 < beta1 + beta2 * (c * c)) by lra. split.
   - intros H. destruct (push_cases P HP _ _ _ H) as [K|[K [j [_ [Jv [Jo _]]]]]]; [contradiction|].
     rewrite A1, A2 in *. fold c in K, Jo. rewrite Jv, Jo in K.
     assert (E : j = - 2 * beta1 * (vy v + beta2 * c * om v) / (beta1 + beta2 * (c * c))).
@@ -48,12 +47,11 @@ Lemma heights_in_units : exists u, 0 < u /\ y1 P s = u * (Y - - sqrt (beta2 / be
   y2 P s = u * (Y - sqrt (beta1 / beta2) * sin (angle s)).
 Proof.
   destruct betas as [B1 [B2 [_ [A1 A2]]]]. assert (M := mass_pos P HP). exists (sqrt beta1 * sqrt beta2).
-  assert (R1 : 0 < sqrt beta1) by now apply sqrt_lt_R0. assert (R2 : 0 < sqrt beta2) by now apply sqrt_lt_R0.
-  assert (S1 := sqrt_sqrt beta1 ltac:(lra)). assert (S2 := sqrt_sqrt beta2 ltac:(lra)).
-  unfold y1, y2. rewrite HY, (inertia_eq P HP), A1, A2.
+  assert (R1 : 0 < sqrt beta1) by pos. assert (R2 : 0 < sqrt beta2) by pos. assert (S1 := sqrt_sqrt beta1 ltac:(lra)).
+  assert (S2 := sqrt_sqrt beta2 ltac:(lra)). unfold y1, y2. rewrite HY, (inertia_eq P HP), A1, A2.
   replace (mass P * (beta2 * beta1) / mass P) with (beta1 * beta2) by (field; lra).
   rewrite sqrt_mult, !sqrt_div_alt by lra. set (x := sqrt beta1) in *. set (y := sqrt beta2) in *. rewrite <- S1, <- S2.
-  split; [now apply Rmult_lt_0_compat|]. split; field; lra.
+  split; [pos|]. split; field; lra.
 Qed.
 (** (2a): where m1 touches the floor. (2b): where m2 does. *)
 Theorem boundary_2a : y1 P s = 0 <-> Y = - sqrt (beta2 / beta1) * sin (angle s).
@@ -72,9 +70,8 @@ Theorem boundary_2c : 0 <= y1 P s /\ 0 <= y2 P s <->
 Proof.
   destruct heights_in_units as [u [U [E1 E2]]]. rewrite E1, E2. split.
   - intros [L1 L2]. apply Rmax_lub; apply Rnot_lt_le; intros K.
-    + assert (0 < u * (- sqrt (beta2 / beta1) * sin (angle s) - Y)) by (apply Rmult_lt_0_compat; lra). lra.
-    + assert (0 < u * (sqrt (beta1 / beta2) * sin (angle s) - Y)) by (apply Rmult_lt_0_compat; lra). lra.
-  - intros L. assert (K1 := Rle_trans _ _ _ (Rmax_l _ _) L). assert (K2 := Rle_trans _ _ _ (Rmax_r _ _) L).
-    split; apply Rmult_le_pos; lra.
+    + assert (0 < u * (- sqrt (beta2 / beta1) * sin (angle s) - Y)) by pos. lra.
+    + assert (0 < u * (sqrt (beta1 / beta2) * sin (angle s) - Y)) by pos. lra.
+  - intros L. assert (K1 := Rle_trans _ _ _ (Rmax_l _ _) L). assert (K2 := Rle_trans _ _ _ (Rmax_r _ _) L). split; pos.
 Qed.
 End Paper.

@@ -3,7 +3,7 @@
 
     L7_equal_masses, equal_witness == N(1) = 2, and its witness *)
 From Coq Require Import Reals Lra Lia.
-From Dumbbell Require Import Statement Ray Chart LightTotal WitnessMotion.
+From Dumbbell Require Import Signs Trigonometry Statement Ray Chart LightTotal WitnessMotion.
 Local Open Scope R_scope.
 
 Lemma one_at_most n c k : -1 <= k -> coll 1 n c k -> (n <= 1)%nat.
@@ -15,35 +15,33 @@ Qed.
 Lemma too_high n c k : 0 <= k -> 1 <= c -> coll 1 n c k -> n = O.
 Proof.
   intros Hk Hc H. destruct n as [|n]; [reflexivity|exfalso]. destruct H as [x [[Hx [Hs _]] _]].
-  assert (0 <= k * x) by (apply Rmult_le_pos; lra). assert (sin x < 1); [|lra].
-  rewrite <- sin_PI2. apply sin_increasing_1; lra.
+  assert (0 <= k * x) by pos. assert (sin x < 1); [|lra]. rewrite <- sin_PI2. apply sin_increasing_1; lra.
 Qed.
 Theorem equal_bridge : bridge_bound 1 2.
 Proof.
-  intros e eta a b He Heta _ Ha Hb. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros e eta a b He Heta _ Ha Hb. assert (HPI := PI_RGT_0).
   destruct (cos_range e ltac:(lra)) as [W0 W1]. rewrite !Rmult_1_l in Ha, Hb.
   assert (a = O).
   { apply (too_high a (cX e eta) (lamX e eta)); [unfold lamX; lra | | exact Ha].
     assert (T := sin_below_tangent e (PI/2) ltac:(lra) ltac:(lra)). rewrite sin_PI2 in T.
-    unfold cX, lamX. assert (0 <= eta * (PI - e)) by (apply Rmult_le_pos; lra).
-    assert (0 <= cos e * (PI/2)) by (apply Rmult_le_pos; lra). lra. }
+    unfold cX, lamX. assert (0 <= eta * (PI - e)) by pos. assert (0 <= cos e * (PI/2)) by pos. lra. }
   assert (b <= 1)%nat; [|lia]. apply (one_at_most b (cS e eta 1) (lamS e eta 1)); [apply lamS_ge; lra | exact Hb].
 Qed.
 Theorem equal_light : light_bound 1 2.
 Proof.
-  intros e lam a b He Hlam Hl HP _ _ Ha Hb Hb0. assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros e lam a b He Hlam Hl HP _ _ Ha Hb Hb0. assert (HPI := PI_RGT_0).
   destruct (cos_range e ltac:(lra)) as [W0 W1]. rewrite !Rmult_1_l in *.
   assert (a <= 1)%nat by (apply (one_at_most a (cL e lam) lam); [lra | exact Ha]). assert (b = O); [|lia].
   destruct (Rlt_or_le 0 (mu_den (cos e) lam 1)) as [HD|HD]; [|now apply Hb0]. specialize (Hb HD).
   refine (steep_ray_misses 1 b _ _ _ Hb).
   unfold mu. apply Rmult_le_reg_r with (mu_den (cos e) lam 1); [exact HD|]. unfold Rdiv.
   rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra.
-  unfold mu_den. assert (0 <= cos e * (1 - lam)) by (apply Rmult_le_pos; lra). assert (cos e * cos e <= 1) by nra.
-  assert (0 <= lam * (1 - cos e * cos e)) by (apply Rmult_le_pos; lra). lra.
+  unfold mu_den. assert (0 <= cos e * (1 - lam)) by pos. assert (cos e * cos e <= 1) by nra.
+  assert (0 <= lam * (1 - cos e * cos e)) by pos. lra.
 Qed.
 Theorem equal_witness : bridge_witness 1 2.
 Proof.
-  assert (HPI : 0 < PI) by apply PI_RGT_0. exists (PI/3), (1/4), O, 1%nat. unfold lamX. rewrite cos_PI3.
+  assert (HPI := PI_RGT_0). exists (PI/3), (1/4), O, 1%nat. unfold lamX. rewrite cos_PI3.
   repeat split; try lra; try lia.
   rewrite !Rmult_1_l.
   assert (E : lamS (PI/3) (1/4) 1 = - (7/24)) by (unfold lamS, eta_reversed; rewrite cos_PI3; field).

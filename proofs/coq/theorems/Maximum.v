@@ -4,26 +4,24 @@
     N_exists, N_unique == N(q) exists, below q + 5; there is only one *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Statement FewHits Chart Flight Scaling LightTotal WitnessMotion.
+From Dumbbell Require Import Signs Trigonometry Statement FewHits Chart Flight Scaling LightTotal WitnessMotion.
 Local Open Scope R_scope.
 
 Theorem L2c_below_q_plus_5 q n : 1 <= q -> q + 4 <= INR n -> upper_bound q n.
 Proof.
   intros Hq Hn. assert (H1 := Rinv_0_lt_compat q ltac:(lra)).
   assert (H2 : / q <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-  assert (HPI : 0 < PI) by apply PI_RGT_0. assert (Hn' : / / q + 4 <= INR n) by (rewrite Rinv_inv; exact Hn).
+  assert (HPI := PI_RGT_0). assert (Hn' : / / q + 4 <= INR n) by (rewrite Rinv_inv; exact Hn).
   apply charts_upper; [exact Hq | |].
   - intros e eta a b He Heta _ Ca Cb. destruct (cos_range e ltac:(lra)) as [W0 W1].
     apply (L5f_few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb).
-    + unfold lamX. assert (0 <= / q * (cos e + eta)) by (apply Rmult_le_pos; lra). lra.
+    + unfold lamX. assert (0 <= / q * (cos e + eta)) by pos. lra.
     + assert (L := lamS_ge e eta (/ q) ltac:(lra) ltac:(lra) ltac:(lra)).
-      assert (/ q * -1 <= / q * lamS e eta (/ q)) by (apply Rmult_le_compat_l; lra). lra.
-  - intros e lam a b He Hlam _ HP _ _ Ca Cb Cb0. assert (L1 : 0 <= / q * lam) by (apply Rmult_le_pos; lra).
+      assert (/ q * -1 <= / q * lamS e eta (/ q)) by pos. lra.
+  - intros e lam a b He Hlam _ HP _ _ Ca Cb Cb0. assert (L1 : 0 <= / q * lam) by pos.
     destruct (Rlt_or_le 0 (mu_den (cos e) lam (/ q))) as [HD|HD].
     + apply (L5f_few_both (/ q) a b n _ _ _ _ ltac:(lra) Hn') with (3 := Ca) (4 := Cb HD); [lra|].
-      assert (0 <= mu (cos e) lam (/ q))
-        by (unfold mu; apply Rmult_le_pos; [exact HP | left; now apply Rinv_0_lt_compat]).
-      assert (0 <= / q * mu (cos e) lam (/ q)) by (apply Rmult_le_pos; lra). lra.
+      assert (0 <= mu (cos e) lam (/ q)) by (unfold mu; pos). assert (0 <= / q * mu (cos e) lam (/ q)) by pos. lra.
     + apply (L5f_few_both (/ q) a b n (cL e (/ q * lam)) (/ q * lam) 0 0 ltac:(lra) Hn'); try lra;
         [exact Ca | rewrite (Cb0 HD); exact I].
 Qed.
@@ -46,7 +44,7 @@ Proof.
     - exists (S m). rewrite S_INR. split; [lra | apply L2c_below_q_plus_5; [lra | rewrite S_INR; lra]]. }
   destruct Up as [m [Hm U]].
   assert (L : lower_bound q 0).
-  { intros P HP Hqq. assert (HPI : 0 < PI) by apply PI_RGT_0. assert (R1 : r_of P <= 1).
+  { intros P HP Hqq. assert (HPI := PI_RGT_0). assert (R1 : r_of P <= 1).
     { replace (r_of P) with (/ q); [rewrite <- Rinv_1; apply Rinv_le_contravar; lra|]. unfold r_of.
       destruct HP as [? [? ?]]. rewrite <- Hqq. field. lra. }
     destruct (bridge_motion P HP R1 (PI/2) 1 O O ltac:(lra) ltac:(lra) I I) as [p [Hp Hl]]. exists p.

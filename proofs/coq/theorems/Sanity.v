@@ -4,7 +4,7 @@
     theory: the upright rod that bounces once. (Newton.v: the floor's push is Newton's law for two masses and a rod.) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics RealInduction Flight Collisions Scaling Existence.
+From Dumbbell Require Import Signs Physics RealInduction Flight Collisions Scaling Existence.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -13,7 +13,7 @@ Theorem ratios_exist q : 0 < q <-> exists P, real_dumbbell P /\ m2 P / m1 P = q.
 Proof.
   split.
   - intros Hq. exists (unit_dumbbell q). now apply unit_real.
-  - intros [P [[H1 [H2 _]] <-]]. now apply Rdiv_lt_0_compat.
+  - intros [P [[H1 [H2 _]] <-]]. pos.
 Qed.
 
 Section Sanity.
@@ -94,7 +94,7 @@ Proof. unfold y1, y2, bouncing; simpl. rewrite sin_PI2. split; ring. Qed.
 Theorem bouncing_motion : motion P bouncing.
 Proof.
   assert (A1 := arm1_pos P HP). assert (A2 := arm2_pos P HP).
-  split; intros t; destruct (bouncing_heights t) as [E1 E2]; rewrite ?E1, ?E2; assert (0 <= Rabs t) by apply Rabs_pos.
+  split; intros t; destruct (bouncing_heights t) as [E1 E2]; rewrite ?E1, ?E2; assert (0 <= Rabs t) by pos.
   - lra.
   - lra.
   - lra.
@@ -115,7 +115,7 @@ Proof.
     + right. split; [destruct (bouncing_heights 0) as [_ ->]; apply Rabs_R0|]. unfold w2, bouncing; simpl. lra.
   - intros l Hnd Hl. assert (Z : forall t, In t l -> t = 0).
     { intros t Ht. destruct (Hl t Ht) as [v [_ H]]. destruct (bouncing_heights t) as [E1 E2]. rewrite E1, E2 in H.
-      assert (0 <= Rabs t) by apply Rabs_pos. destruct H as [[H _]|[H _]]; [lra|].
+      assert (0 <= Rabs t) by pos. destruct H as [[H _]|[H _]]; [lra|].
       destruct (Req_dec t 0) as [|N]; [assumption | apply Rabs_no_R0 in N; lra]. }
     destruct l as [|a [|b l]]; simpl; try lia. exfalso. apply NoDup_cons_iff in Hnd. destruct Hnd as [Hn _]. apply Hn.
     rewrite (Z a), (Z b) by (simpl; tauto). now left.

@@ -5,7 +5,7 @@
     unit_dumbbell, unit_real == a dumbbell of the ratio q
     at_least_le              == at least n: at least m <= n *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Physics.
+From Dumbbell Require Import Signs Physics.
 Local Open Scope R_scope.
 
 (** A dumbbell of each ratio. *)
@@ -54,9 +54,8 @@ Proof.
   destruct scale_arms as [E1 E2].
   assert (EI : inertia Q = mass Q / mass P * (f * f) * inertia P)
     by (rewrite (inertia_eq Q HQ), (inertia_eq P HP), E1, E2; field; lra).
-  exists (mass Q / mass P * f * J). assert (K : 0 < mass Q / mass P) by (now apply Rdiv_lt_0_compat). simpl.
-  repeat split.
-  - apply Rmult_le_pos; [apply Rmult_le_pos; lra | exact HJ].
+  exists (mass Q / mass P * f * J). assert (K : 0 < mass Q / mass P) by pos. simpl. repeat split.
+  - pos.
   - rewrite <- A. field. lra.
   - rewrite EI.
     replace (mass Q / mass P * (f * f) * inertia P * (om v' - om v))
@@ -87,8 +86,8 @@ Proof.
   intros [v [Hb H]]. assert (F := factor_pos). exists (scale_v v). split; [now apply scale_before|].
   destruct (scale_y (p t)) as [Y1 Y2]. destruct (scale_w (p t) v) as [W1 W2].
   unfold scale. rewrite Y1, Y2, W1, W2. destruct H as [[A B]|[A B]]; [left | right]; (split; [rewrite A; ring|]).
-  - assert (0 < f * - w1 P (p t) v) by (apply Rmult_lt_0_compat; lra). lra.
-  - assert (0 < f * - w2 P (p t) v) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 < f * - w1 P (p t) v) by pos. lra.
+  - assert (0 < f * - w2 P (p t) v) by pos. lra.
 Qed.
 End Scale.
 Theorem only_ratio q P p n : real_dumbbell P -> m2 P / m1 P = q -> motion P p -> at_least P p n -> lower_bound q n.

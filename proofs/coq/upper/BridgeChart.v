@@ -38,7 +38,7 @@ Proof.
   set (eta := v_of P v' / - u_of v' / r - cos e).
   assert (Es : r * lamX e eta * - u_of v' = v_of P v') by (unfold lamX, eta; field; lra).
   destruct (bridge_slopes P HP e eta _ _ _ _ He HR Hu Es) as [Heta [Hin ES]].
-  assert (Ey : yh (p T) = r * sin e) by (rewrite (contact2 P HP p T H2), Hpsi, cos_top; reflexivity).
+  assert (Ey : yh (p T) = r * sin e) by (rewrite (contact2 P HP p T H2), Hpsi, cos_shift; reflexivity).
   (* X *)
   destruct (bridge_out_X P HP Hr1 (p T) v' e eta He Heta Hpsi Ey Hu Es) as [RX KX].
   assert (Ga := follow_start P HP Hr1 a p T v' _ _ Hm RX Ha KX La).

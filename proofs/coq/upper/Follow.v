@@ -7,7 +7,7 @@
     L1b_no_return, past_peak == behind the peak of the hump nothing is met again *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Ray Flight Collisions Symmetry StartRay.
+From Dumbbell Require Import Trigonometry Physics Ray Flight Collisions Symmetry StartRay.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -69,7 +69,7 @@ Proof.
   { intros Z. destruct HL as [[_ [l [_ [_ [_ [_ Hn]]]]]]|[_ [l [_ [_ [_ [_ Hn]]]]]]];
       [unfold slope1 in Hn | unfold slope2 in Hn]; rewrite Z in Hn; lra. }
   assert (Peak : cos (psi_of (p t)) * cos (psi_of (p t)) = 1 -> False).
-  { intros E. apply Flat. assert (SC := sin2_cos2 (psi_of (p t))). unfold Rsqr in SC.
+  { intros E. apply Flat. assert (SC := unit_circle (psi_of (p t))).
     assert (Z : sin (psi_of (p t)) * sin (psi_of (p t)) = 0) by lra. apply Rmult_integral in Z. tauto. }
   destruct (COS_bound (psi_of (p t))) as [B1 B2].
   destruct HL as [[C _]|[C _]]; [apply (contact1 P HP) in C | apply (contact2 P HP) in C]; apply Peak.

@@ -5,8 +5,8 @@
     charts_upper == bounds in the charts bridge and light bound every motion *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal
-  TurningCollision.
+From Dumbbell Require Import Trigonometry Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays
+  HeavyTotal TurningCollision.
 Local Open Scope R_scope.
 
 Section Light.

@@ -4,7 +4,8 @@
     L3_steep_no_later == a steep flight has no later collision
     L8_bridge_contact == before and after any contact with the bridge together at most U collisions *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart.
+From Dumbbell Require Import Signs Trigonometry Physics Ray Chart Flight Collisions Symmetry StartRay Follow
+  BridgeChart.
 Local Open Scope R_scope.
 
 Section Bridge2.
@@ -31,7 +32,7 @@ Theorem tangent_bound U p t0 e v b : bridge_bound r U -> motion P p -> after p t
   yh (p t0) = r * cos (psi_of (p t0)) -> u_of v < 0 -> 0 < v_of P v + r * sin (psi_of (p t0)) * u_of v ->
   later P p t0 b -> (1 + b <= U)%nat.
 Proof.
-  intros HB Hm Ha Hp He Hy Hu Hn Hl. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
+  intros HB Hm Ha Hp He Hy Hu Hn Hl. assert (R0 := r_pos P HP). assert (HPI := PI_RGT_0).
   set (k := v_of P v / - u_of v). assert (Ek : k * - u_of v = v_of P v) by (unfold k; field; lra).
   destruct (bridge_start_ray P HP Hr1 (p t0) v k Hu Ek ltac:(lra) Hy Hn) as [RX KX].
   assert (Sp : sin (psi_of (p t0)) = - cos e) by (rewrite Hp, sin_neg, sin_minus, sin_PI2, cos_PI2; ring).
@@ -43,8 +44,8 @@ Proof.
   apply (HB e 0 O b He); try lra. { exact I. }
   apply (coll_mono b) with (8 := Gb); try lra.
   - apply Rmult_le_pos; [lra | apply cS_ge; lra].
-  - rewrite C0. assert (r * - cos e * e <= k * e) by (apply Rmult_le_compat_r; lra). lra.
-  - rewrite E0. destruct (COS_bound e). assert (r * -1 <= r * - cos e) by (apply Rmult_le_compat_l; lra). lra.
+  - rewrite C0. assert (r * - cos e * e <= k * e) by pos. lra.
+  - rewrite E0. destruct (COS_bound e). assert (r * -1 <= r * - cos e) by pos. lra.
   - rewrite E0. lra.
 Qed.
 
@@ -58,13 +59,13 @@ Lemma L8c_outside_chart U f t e w n : bridge_bound r U -> motion P f -> after f 
   psi_of (f t) = PI/2 - e -> 0 < e <= PI/2 -> 0 < v_of P w + r * cos e * u_of w -> ~ in_chart e w -> later P f t n ->
   n = O \/ (v_of P w < u_of w /\ (1 + n <= U)%nat).
 Proof.
-  intros HB Hf Ha H2 Hpsi He Hn Hout Hl. assert (R0 := r_pos P HP). assert (HPI : 0 < PI) by apply PI_RGT_0.
-  destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (Hrs : 0 <= r * cos e) by (apply Rmult_le_pos; lra).
+  intros HB Hf Ha H2 Hpsi He Hn Hout Hl. assert (R0 := r_pos P HP). assert (HPI := PI_RGT_0).
+  destruct (cos_range e ltac:(lra)) as [W0 W1]. assert (Hrs : 0 <= r * cos e) by pos.
   destruct (Rle_or_lt (Rabs (u_of w)) (v_of P w)) as [K|K]; [left; now apply (L3_steep_no_later f t w) | right].
   assert (Hu : 0 < u_of w).
   { apply Rnot_le_lt. intros L. rewrite Rabs_left1 in K by exact L.
     destruct (Rle_lt_or_eq_dec _ _ L) as [L'|L']; [|rewrite L' in *; lra]. apply Hout. split; [exact L'|].
-    assert (0 <= - u_of w * (r * cos e)) by (apply Rmult_le_pos; lra). lra. }
+    assert (0 <= - u_of w * (r * cos e)) by pos. lra. }
   split; [now rewrite Rabs_pos_eq in K by lra|].
   assert (Ep : psi_of (mirror f t) = - (PI/2 - e)) by (rewrite psi_mirror, Hpsi; reflexivity).
   apply (tangent_bound U (mirror f) t e (mirror_v w) n HB); try assumption.

@@ -5,7 +5,7 @@
     collision_law, flight              == law (1) at a collision; up to it the point moves uniformly
     first_collision, later, later_next == as in Collisions.v *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import RealInduction LaterTimes Wedge.
+From Dumbbell Require Import Signs RealInduction LaterTimes Wedge.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -64,14 +64,14 @@ Proof.
   intros Hs Hu Hv He. set (a := s * psi v) in *. set (g := slope W (s * x) * a - yhat v).
   assert (Hg : 0 < g) by (unfold g, a; lra).
   assert (Ha : 0 < a * a + 1) by (assert (0 <= a * a) by apply Rle_0_sqr; lra).
-  assert (Hd : 0 < g / (a * a + 1)) by (now apply Rdiv_lt_0_compat).
-  set (d := Rmin eps (g / (a * a + 1))). assert (D1 : 0 < d) by (now apply Rmin_pos).
-  assert (D2 : d <= eps) by apply Rmin_l. assert (D3 : d <= g / (a * a + 1)) by apply Rmin_r.
-  exists d. split; [lra|]. assert (N := near_tangent W HW (s * x) (a * d)).
+  assert (Hd : 0 < g / (a * a + 1)) by pos. set (d := Rmin eps (g / (a * a + 1))).
+  assert (D1 : 0 < d) by (now apply Rmin_pos). assert (D2 : d <= eps) by apply Rmin_l.
+  assert (D3 : d <= g / (a * a + 1)) by apply Rmin_r. exists d. split; [lra|].
+  assert (N := near_tangent W HW (s * x) (a * d)).
   replace (s * (x + psi v * d)) with (s * x + a * d) by (unfold a; ring).
   assert (d * (a * a + 1) <= g).
-  { replace g with (g / (a * a + 1) * (a * a + 1)) by (field; lra). apply Rmult_le_compat_r; lra. }
-  assert (d * (a * a * d) < d * g) by (apply Rmult_lt_compat_l; lra). unfold g in *. lra.
+  { replace g with (g / (a * a + 1) * (a * a + 1)) by (field; lra). pos. } assert (d * (a * a * d) < d * g) by pos.
+  unfold g in *. lra.
 Qed.
 Theorem collision_changes_velocity p t v : motion W q p -> before p t v -> after p t v -> ~ collision W p t.
 Proof.
@@ -112,8 +112,8 @@ Proof.
   destruct (push_cases q _ v u' Hq H) as [->|[j [J [_ [_ E]]]]]; [exact Ha|]. exfalso. apply Hn. exists v.
   split; [exact Hb|]. exists s. split; [exact Hs|]. split; [exact Ho|].
   assert (0 < j * (1 + q * (slope_at W s (p t) * slope_at W s (p t)))); [|lra].
-  apply Rmult_lt_0_compat; [exact J|]. assert (0 <= slope_at W s (p t) * slope_at W s (p t)) by apply Rle_0_sqr.
-  assert (0 <= q * (slope_at W s (p t) * slope_at W s (p t))) by (apply Rmult_le_pos; lra). lra.
+  apply Rmult_lt_0_compat; [exact J|]. assert (0 <= slope_at W s (p t) * slope_at W s (p t)) by pos.
+  assert (0 <= q * (slope_at W s (p t) * slope_at W s (p t))) by pos. lra.
 Qed.
 
 (** Up to the next collision the point flies uniformly. *)

@@ -1,6 +1,6 @@
 (** Read as an enemy: the wall's push is law (1) of L0, and gamma is the angle of the two walls of the wedge. *)
 From Coq Require Import Reals Lra.
-From Dumbbell Require Import Wedge WedgeFlights PublishedBound WedgeUpper.
+From Dumbbell Require Import Trigonometry Wedge WedgeFlights PublishedBound WedgeUpper.
 Local Open Scope R_scope.
 
 (** Law (1): with r = 1/q, N = (- w, 1) and n = (- w, r), a point that comes in, N.v < 0, is pushed to
@@ -28,8 +28,8 @@ Theorem gamma_is_the_angle q : 0 < q -> let a := {| psi := 1; yhat := 1 |} in le
 Proof.
   intros Hq a b. unfold dot. simpl. replace (-1 * -1) with 1 by ring. replace (1 * 1) with 1 by ring.
   rewrite sqrt_sqrt by lra. unfold gamma. destruct (atan_parts (sqrt q)) as [C E].
-  assert (Q := square_of_sqrt q Hq). set (f := atan (sqrt q)) in *. set (k := sqrt q) in *.
-  rewrite cos_minus, cos_PI, sin_PI, cos_2a, <- E. assert (P := sin2_cos2 f). unfold Rsqr in P. rewrite <- E in P.
+  assert (Q := sqrt_sqrt q ltac:(lra)). set (f := atan (sqrt q)) in *. set (k := sqrt q) in *.
+  rewrite cos_minus, cos_PI, sin_PI, cos_2a, <- E. assert (P := unit_circle f). rewrite <- E in P.
   assert (X : cos f * cos f * (1 + q) = 1) by (rewrite <- Q; lra).
   replace ((-1 * (cos f * cos f - k * cos f * (k * cos f)) + 0 * sin (2 * f)) * (1 + q * 1)) with
     ((k * k - 1) * (cos f * cos f * (1 + q))) by ring. rewrite X, Q. ring.

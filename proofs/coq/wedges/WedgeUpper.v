@@ -5,7 +5,7 @@
     wedge_at_most == at most N collisions, if pi/gamma <= N
     gamma_range   == 0 < gamma < pi *)
 From Coq Require Import Reals Lra Lia List.
-From Dumbbell Require Import Wedge WedgeFlights PublishedBound.
+From Dumbbell Require Import Trigonometry Wedge WedgeFlights PublishedBound.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -23,20 +23,11 @@ Proof.
   assert (atan 0 < atan (sqrt q)) by (now apply atan_increasing). rewrite atan_0 in *. unfold gamma. lra.
 Qed.
 
-(** The sine and cosine of the wall's angle with the horizontal. *)
-Lemma atan_parts z : 0 < cos (atan z) /\ z * cos (atan z) = sin (atan z).
-Proof.
-  destruct (atan_bound z). assert (C : 0 < cos (atan z)) by (apply cos_gt_0; lra). split; [exact C|].
-  rewrite <- (tan_atan z) at 1. unfold tan. field. lra.
-Qed.
-
 Section Turn.
 Variables (q w S a : R).
 Hypothesis Hq : 0 < q.
 Hypothesis HS : 0 < S.
 Notation b := (wall_angle q w).
-Lemma square_of_sqrt x : 0 < x -> sqrt x * sqrt x = x.
-Proof. intros. apply sqrt_sqrt. lra. Qed.
 
 (** A velocity (m, u) of size S at the angle a to the vertical comes in iff sin (a - b) > 0; its reflection has the
     angle 2 b - a. *)
@@ -56,8 +47,8 @@ Lemma reflects m u m' u' j : m = S * sin a -> sqrt q * u = S * cos a -> m' = m -
   j * (1 + q * (w * w)) = 2 * (w * m - u) -> m' = S * sin (2 * b - a) /\ sqrt q * u' = S * cos (2 * b - a).
 Proof.
   intros Em Eu Em' Eu' Ej. unfold wall_angle. destruct (atan_parts (w * sqrt q)) as [C E].
-  set (f := atan (w * sqrt q)) in *. assert (Q := square_of_sqrt q Hq). set (k := sqrt q) in *.
-  assert (P1 := sin2_cos2 f). unfold Rsqr in P1.
+  set (f := atan (w * sqrt q)) in *. assert (Q := sqrt_sqrt q ltac:(lra)). set (k := sqrt q) in *.
+  assert (P1 := unit_circle f).
   assert (J : k * j = 2 * cos f * (sin f * m - cos f * (k * u))).
   { assert (X : cos f * cos f * (1 + q * (w * w)) = 1).
     { rewrite <- Q. replace (cos f * cos f * (1 + k * k * (w * w))) with
@@ -86,7 +77,7 @@ Lemma angle_of q w m u : 0 < q -> u < w * m -> exists S a, 0 < S /\ m = S * sin 
 Proof.
   intros Hq Hi. unfold wall_angle. destruct (atan_parts (w * sqrt q)) as [C E]. set (f := atan (w * sqrt q)) in *.
   assert (K : 0 < sqrt q) by (now apply sqrt_lt_R0). set (k := sqrt q) in *.
-  assert (P1 := sin2_cos2 f). unfold Rsqr in P1.
+  assert (P1 := unit_circle f).
   set (I := sin f * m - cos f * (k * u)). set (T := cos f * m + sin f * (k * u)).
   assert (HI : 0 < I).
   { unfold I. rewrite <- E. replace (w * k * cos f * m - cos f * (k * u)) with (k * cos f * (w * m - u)) by ring.

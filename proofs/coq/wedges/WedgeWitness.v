@@ -5,19 +5,10 @@
     path, path_motion, path_at_least == the motion, with at least N collisions *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Wedge WedgeFlights PublishedBound WedgeUpper.
+From Dumbbell Require Import Trigonometry Wedge WedgeFlights PublishedBound WedgeUpper.
 Import ListNotations.
 Local Open Scope R_scope.
 
-Lemma atan_moves s t : s <= t -> atan s <= atan t <= atan s + (t - s).
-Proof.
-  intros H. split; [now apply atan_mono|].
-  destruct (MVT_gen atan s t (fun x => / (1 + x ^ 2))) as [c [_ E]].
-  { intros. apply is_derive_Reals. apply derivable_pt_lim_atan. }
-  { intros. apply derivable_continuous_pt, derivable_pt_atan. }
-  assert (P := pow2_ge_0 c). assert (L : / (1 + c ^ 2) <= / 1) by (apply Rinv_le_contravar; lra). rewrite Rinv_1 in L.
-  assert (/ (1 + c ^ 2) * (t - s) <= 1 * (t - s)) by (apply Rmult_le_compat_r; lra). lra.
-Qed.
 Lemma NoDup_times (f : nat -> R) n : forall a, (forall i j, (a <= i < j)%nat -> (j < a + n)%nat -> f i <> f j) ->
   NoDup (map f (seq a n)).
 Proof.
@@ -154,7 +145,7 @@ Proof.
       (lam * (sin m / k) * (lam * (sin m / k))) = lam * lam).
     { intros s m Hs. replace (lam * (s * cos m) * (lam * (s * cos m)) + q * (lam * (sin m / k) * (lam * (sin m / k))))
         with (lam * lam * (s * s * (cos m * cos m) + q / (k * k) * (sin m * sin m))) by (field; lra).
-      rewrite Hs, Q. replace (q / q) with 1 by (field; lra). generalize (sin2_cos2 m). unfold Rsqr. intros P.
+      rewrite Hs, Q. replace (q / q) with 1 by (field; lra). assert (P := unit_circle m).
       replace (1 * (cos m * cos m) + 1 * (sin m * sin m)) with (sin m * sin m + cos m * cos m) by ring.
       rewrite P. ring. }
     assert (A := sign_square j). rewrite !X; [reflexivity | exact A | lra].
