@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """coq_test.py: what the pages say of the Coq proof is there: each theorem that proofs/table.md and proofs/coq/README.md
-name stands in the file they name, and the lines that the README quotes stand in the statement."""
+name stands in the file they name, the lines that the README quotes stand in the statement, and a file that others
+import has a table `name == meaning` at its head, of names that stand in it."""
 
 import pathlib
 import re
 import sys
 
 PROOFS = pathlib.Path(__file__).resolve().parents[3] / "proofs"
+KINDS = "Theorem|Lemma|Corollary|Definition|Fixpoint|Record|Inductive|Let|Notation"
 STATED = re.compile(r"^\s*(?:Theorem|Lemma|Corollary)\s+([\w']+)", re.M)
 
 
@@ -40,11 +42,24 @@ def named(page, column):
         yield None, f"{page.name}: names no theorem"
 
 
+def tables(texts):
+    """The faults of the tables at the heads of the files; texts: what each says."""
+    imported = set(re.findall(r"\w+", " ".join(re.findall(r"From Dumbbell Require (?:Import|Export) ([^.]*)", " ".join(texts.values())))))
+    for file, text in texts.items():
+        head = re.match(r"\(\*\*.*?\*\)", text, re.S)[0]
+        names = re.findall(r"^    (\w[\w', ]*?)\s*==", head, re.M)
+        if file in imported and not names:
+            yield f"{file}.v: others import it, and it has no table `name == meaning`"
+        for name in (word.split()[0] for row in names for word in row.split(",")):
+            if not re.search(rf"(?:{KINDS}|Ltac|[{{;|]|:=)\s+{name}(?![\w'])", text[len(head):]):
+                yield f"{file}.v: the table at its head names {name}, which it does not have"
+
+
 def main():
-    stated = {}
+    stated, texts = {}, {file.stem: file.read_text() for file in (PROOFS / "coq").rglob("*.v")}
     for file in (PROOFS / "coq").rglob("*.v"):
         stated.setdefault(file.stem, set()).update(STATED.findall(file.read_text()))
-    faults, theorems = [], set()
+    faults, theorems = list(tables(texts)), set()
     for page, column in ((PROOFS / "table.md", "Coq"), (PROOFS / "coq" / "README.md", "theorem")):
         for name, fault in named(page, column):
             if fault:
