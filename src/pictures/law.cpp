@@ -26,7 +26,7 @@ constexpr double steps_height = 190;
 constexpr double between = 84;  ///< from one frame to the next
 
 // N(q) - C sqrt q lies between these for every q >= 1 (Theorem B).
-constexpr double least = 0.980;
+constexpr double lowest = 0.980;
 constexpr double greatest = 2.115;
 
 double fourth_root(double q) { return std::sqrt(std::sqrt(q)); }
@@ -201,7 +201,7 @@ void draw_teeth(Svg& svg, const Frame& frame, const Content& content) {
         svg.path("gap", gaps);
     }
     svg.path("proved", teeth_path(frame, law, pieces, all.hi));
-    svg.path("bounds", line(points(frame, all, level(greatest))) + line(points(frame, all, level(least))));
+    svg.path("bounds", line(points(frame, all, level(greatest))) + line(points(frame, all, level(lowest))));
     svg.close();
     if (all.lo < law_from) {
         svg.open_clip(frame.left(), frame.top(), frame.x(law_from) - frame.left(), frame.y(2) - frame.top());
@@ -209,7 +209,7 @@ void draw_teeth(Svg& svg, const Frame& frame, const Content& content) {
         svg.close();
     }
     svg.text(frame.right() - 8, frame.y(greatest) - 5, fmt::format("{:.3f}", greatest), Anchor::end);
-    svg.text(frame.right() - 8, frame.y(least) + 15, fmt::format("{:.3f}", least), Anchor::end);
+    svg.text(frame.right() - 8, frame.y(lowest) + 15, fmt::format("{:.3f}", lowest), Anchor::end);
     frame.draw_axes(svg);
 }
 
