@@ -1,6 +1,5 @@
 // verify.html: choose or drop certificates, state a claim, and see what is proved.
 import { h, labelled, select } from "../dom.js";
-import { openForPrint } from "../print.js";
 import { setTheme, watchTheme } from "../theme.js";
 import { verified } from "./outcome.js";
 import { licences } from "./verification.js";
@@ -107,5 +106,4 @@ document.getElementById("page").replaceChildren(
 showClaim();
 watchTheme();
 watchDrops();
-openForPrint();
 document.documentElement.dataset.drawn = "1";
