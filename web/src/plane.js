@@ -11,8 +11,7 @@ const slowMs = 14; // a drawing that takes longer is replaced by a stretched cop
 
 /// options: home {x0, x1, y0, y1}; draw(plane); title (for those who do not see it); xLabel, yLabel: text or function;
 /// xTicks, yTicks: as linearTicks; probe(x, y): called with what lies under the pointer, or under the middle for keys, null when
-/// the pointer leaves; click(x, y); handle {x(), y(), move(x, y)}: a place that can be dragged; height in px; least: smallest window
-/// {x, y}.
+/// the pointer leaves; click(x, y); handle {x(), y(), move(x, y)}: a place that can be dragged; height in px; least {x, y}: of a window.
 export class Plane {
     constructor(options) {
         this.options = { xTicks: linearTicks, yTicks: linearTicks, height: 380, least: { x: 1e-14, y: 1e-14 }, ...options };

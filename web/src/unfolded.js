@@ -69,8 +69,7 @@ function wedge(q, height) {
 /// Each copy of the floor is the one before it, mirrored at the tangent of the contact. The bridge is only touched.
 function dumbbell(q) {
     const { collisions, first } = longestOrbit(q).longest;
-    const slope = (first.vy * Math.sqrt(q)) / Math.abs(first.vpsi);
-    let copy = new DOMMatrix().rotate((Math.atan(slope) * 180) / Math.PI).scale(Math.sign(first.vpsi), 1); // it flies to the right
+    let copy = new DOMMatrix().rotate((Math.atan((first.vy * Math.sqrt(q)) / Math.abs(first.vpsi)) * 180) / Math.PI).scale(Math.sign(first.vpsi), 1); // it flies to the right
     const copies = [copy];
     const contacts = collisions.map(({ psi, y, heavy }) => {
         const [x, z] = placing(q)(psi, y);

@@ -26,7 +26,7 @@ const claim = h(
     "p",
     { class: "controls" },
     labelled("Of", scene),
-    field("ratio", "at mass ratio, or from LO:HI,", "10, 1:100, 4/3", 12),
+    field("ratio", "at mass ratio (or LO:HI)", "10, 1:100, 4/3", 12),
     rho,
     labelled("the greatest number of collisions is", bound),
     field("count", "N =", "4", 8),
