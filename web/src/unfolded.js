@@ -34,7 +34,7 @@ function wedge(q, height) {
     const angles = Array.from({ length: walls }, (_, k) => (Math.PI - (walls - 1) * gamma) / 2 + k * gamma); // from the left end
     const at = (angle, far) => [-far * Math.cos(angle), -far * Math.sin(angle)];
     const shapes = [angles[0] - gamma, ...angles].map((angle) => s("g", { transform: `rotate(${((angle + gamma / 2) * 180) / Math.PI - 90})` }, bridge(q)));
-    angles.forEach((angle) => shapes.push(path("beyond", [0, 0], at(angle, 9 * radius)), path("light", at(angle, radius), at(angle, reach * radius))));
+    angles.forEach((angle) => shapes.push(path("beyond", [0, 0], at(angle, Math.min(across / Math.abs(Math.cos(angle)), above / Math.sin(angle)))), path("light", at(angle, radius), at(angle, reach * radius))));
     shapes.push(path("way", [-across, -height], [across, -height]));
     const isBelow = (x) => {
         const turn = Math.atan2(height, -x) - angles[0] + gamma; // into the first copy
@@ -50,7 +50,7 @@ function wedge(q, height) {
     const shown = crossings.filter(({ x }) => Math.abs(x) < across - 62);
     const numbers = (of) => `${of[0].number}${of.length > 1 ? ` to ${of.at(-1).number}` : ""}`;
     const left = crossings.slice(0, shown[0].number - 1);
-    shapes.push(...crossings.map(({ x }) => dot("light", x, -height)), ...shown.map(({ number, x }) => written(x, -height, number)));
+    shapes.push(...crossings.filter(({ x }) => Math.abs(x) < across).map(({ x }) => dot("light", x, -height)), ...shown.map(({ number, x }) => written(x, -height, number)));
     if (left.length > 0) { // as many as on the right
         shapes.push(written(37 - across, -height, `\u2190 ${numbers(left)}`), written(across - 37, -height, `${numbers(crossings.slice(-left.length))} \u2192`));
     }

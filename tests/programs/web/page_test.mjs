@@ -155,7 +155,7 @@ for (const width of [390, 1280]) {
 test("the pages are as large as docs/4-verifying.md says: at most 525 kB with gzip, and 700 kB in a page", () => {
     const said = readFileSync(join(root, "docs", "4-verifying.md"), "utf8");
     const [whole, packed, added] = /one file of (\d+) kB \((\d+) kB with gzip\)[^]*The verifier adds (\d+) kB/.exec(said).slice(1).map((kB) => 1000 * kB);
-    const near = (bytes, told) => assert.ok(Math.abs(bytes - told) < 2000, `${bytes} bytes, said ${told}`);
+    const near = (bytes, told) => assert.ok(Math.abs(bytes - told) < 3000, `${bytes} bytes, said ${told}`);
     const bytes = readFileSync(page);
     const gzipped = gzipSync(bytes, { level: 9 }).length;
     near(bytes.length, whole);
