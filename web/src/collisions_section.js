@@ -10,6 +10,7 @@ import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
 import { staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
+import { Unfolded } from "./unfolded.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 
 const rangeText = ({ lo_text, hi_text }) => (lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`);
@@ -59,14 +60,12 @@ function coverSource(file) {
         choices,
         first: largest,
         kinds: file.kinds,
-        countOf: (kind) => (isCount(kind) ? total(kind) : null),
         describe: leafText,
         file: file.verify_file,
         note: coverNote(file),
         colourings: [
             {
                 text: "by number of collisions",
-                isByCount: true,
                 paint: (kind) => shade(kind.colour),
                 label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
                 order: (kind) => (isCount(kind) ? Number(total(kind)) : Infinity),
@@ -110,7 +109,7 @@ const orbitOf = (piece, q) => {
     return chart === "wedge" ? wedgeOrbit(toNumber(parse(eta)), q) : bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q);
 };
 
-/// The witness orbits, at any ratio of their pieces.
+/// The witness orbits, at the middle of their pieces.
 function witnesses(file, moves) {
     const pieces = file.pieces.filter((piece) => piece.witness);
     if (pieces.length === 0) {
@@ -118,10 +117,10 @@ function witnesses(file, moves) {
     }
     const player = new Player();
     const about = h("p", { class: "note" });
-    const load = (i, share) => {
+    const load = (i) => {
         const piece = pieces[i];
         const [lo, hi] = [toNumber(parse(piece.lo)), toNumber(parse(piece.hi))];
-        const q = lo * (hi / lo) ** share;
+        const q = lo * Math.sqrt(hi / lo);
         const { e, eta, forward, backward, chart } = piece.witness;
         const orbit = orbitOf(piece, q);
         const claimed = total(piece.witness);
@@ -130,32 +129,19 @@ function witnesses(file, moves) {
         const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy mass at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
         about.replaceChildren(
             h("strong", {}, `Claimed by the file: `),
-            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all, for every ${rangeText(piece)}. `,
+            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}. `,
             h("strong", {}, "Computed by this page: "),
             `the motion from this start at q = ${show(q, 10)}, in double precision, as an illustration. `,
             found < claimed ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
         );
     };
-    let chosen = Math.max(0, pieces.length - 1);
-    let share = 0.5;
-    const controls = [];
-    if (pieces.length > 1) {
-        controls.push(labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), chosen, (i) => {
-            chosen = Number(i);
-            load(chosen, share);
-        })));
-    }
-    if (pieces.some((p) => p.lo !== p.hi)) {
-        controls.push(labelled("at q", select([[0, "the lower end"], [0.5, "the middle"], [1, "the upper end"]], share, (value) => {
-            share = Number(value);
-            load(chosen, share);
-        })));
-    }
-    load(chosen, share);
+    const last = pieces.length - 1;
+    const choice = last > 0 && labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), last, (i) => load(Number(i))));
+    load(last);
     if (moves) {
         player.playOnce();
     }
-    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.has_orbits
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {}, file.has_orbits
         ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
 }
@@ -196,7 +182,8 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
     const isRange = file.lo_text !== file.hi_text;
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
     const played = witnesses(file, isFirst);
-    const born = birth(file);
+    const unfolded = file.has_orbits && new Unfolded();
+    const born = birth(file, (q) => unfolded.show(q));
     return [
         h("h2", {}, `${file.system}, ${rangeText(file)}`),
         h("p", { class: "claim" }, claimText(file), file.section !== "turning" ? " The heavy mass hits the floor at most once." : ""),
@@ -207,6 +194,8 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
         isRange && staircase(file, constant).element,
         born && h("h3", {}, "How one more collision is born"),
         born,
+        unfolded && h("h3", {}, "Why not more? The wedge, unfolded"),
+        unfolded.element,
         hasBoxes && coverPart(file),
         piecesTable(file),
         foundations(file, isAlone),

@@ -44,9 +44,10 @@ function firstFall({ psi, y, vpsi, vy }, A, until) {
         return (way + circle * k) / Math.abs(vpsi);
     };
     const order = turns.map((angle) => time(angle, 0)).sort((a, b) => a - b);
-    let from = 0;
+    let from = vy < 0 ? Math.max(0, (y - Math.abs(A)) / -vy) : 0; // before that it is too high
+    const skipped = Math.floor((from * Math.abs(vpsi)) / circle); // turns
     for (let i = 0; i < mostPieces; ++i) {
-        const turn = order.length > 0 ? order[i % order.length] + (circle * Math.floor(i / order.length)) / Math.abs(vpsi) : Infinity;
+        const turn = order.length > 0 ? order[i % order.length] + (circle * (skipped + Math.floor(i / order.length))) / Math.abs(vpsi) : Infinity;
         const to = Math.min(until, turn);
         if (to > from && clearance(to) < 0 && clearance((from + to) / 2) < clearance(from) + 1e-300) {
             return fall(clearance, from, to);

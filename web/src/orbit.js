@@ -44,6 +44,7 @@ function forward(q, state, collision, first) {
     for (;;) {
         const next = nextContact(state, r, collisions.at(-1)?.heavy ?? null);
         if (!next) {
+            complete = !(state.vy < 0); // what falls hits the floor: doubles did not find where
             break;
         }
         if (collisions.length >= mostCollisions) {

@@ -1,4 +1,4 @@
-// An orbit, collision by collision: the dumbbell and its point, with play, step, scrub, speed and slow motion near collisions. With
+// An orbit, collision by collision: the dumbbell and its point, with play, step, scrub and speed. With
 // `prefers-reduced-motion` nothing glides: play goes from collision to collision.
 import { Clock } from "./clock.js";
 import { h, labelled, output, select, table } from "./dom.js";
@@ -17,7 +17,6 @@ const mostFlights = 30; // played without being asked
 export class Player {
     constructor() {
         this.speed = 1;
-        this.isSlow = true;
         this.dumbbell = new DumbbellView();
         this.phase = new PhaseView();
         this.status = output("readout tall");
@@ -39,7 +38,6 @@ export class Player {
                 this.button("Step \u25b6", () => this.step(1)),
                 this.position,
                 labelled("Speed", select([[0.25, "\u00bc"], [0.5, "\u00bd"], [1, "1"], [2, "2"], [5, "5"], [20, "20"]], 1, (value) => (this.speed = Number(value)))),
-                h("label", { class: "labelled" }, h("input", { type: "checkbox", checked: true, onchange: (event) => this.setSlow(event.target.checked) }), h("span", {}, "slow near collisions")),
             ),
             this.status,
             this.details,
@@ -68,11 +66,6 @@ export class Player {
         this.fillRows();
     }
 
-    setSlow(isSlow) {
-        this.isSlow = isSlow;
-        this.goto(this.p);
-    }
-
     goto(p) {
         this.p = Math.min(this.clock.flights, Math.max(0, p));
         this.position.value = this.p;
@@ -80,7 +73,7 @@ export class Player {
         const { collisions } = this.orbit;
         const hit = Math.abs(this.p - whole) < hitRange ? (collisions[whole - 1] ?? null) : null;
         const isAt = hit !== null && Math.abs(this.p - whole) < 1e-9;
-        const time = isAt ? hit.t : this.clock.time(this.p, this.isSlow);
+        const time = isAt ? hit.t : this.clock.time(this.p);
         const state = stateAt(this.orbit, time);
         this.dumbbell.show(state, hit);
         this.phase.show(state);
@@ -157,7 +150,7 @@ export class Player {
                 this.goto(Math.floor(this.p + 1e-9) + 1);
             }
         } else {
-            this.goto(this.clock.later(this.p, seconds, this.isSlow));
+            this.goto(this.clock.later(this.p, seconds));
         }
         if (this.p >= this.clock.flights) {
             this.stop();

@@ -106,7 +106,7 @@ class Staircase {
         if (!(q > 0 && x >= this.home.x0 && x <= this.home.x1)) {
             this.choice.value = "";
             this.whole();
-            this.readout.textContent = q > 0 ? `The file says nothing about q = ${show(q, 10)}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
+            this.readout.textContent = q > 0 ? `The file says nothing about q = ${text.trim()}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
             return;
         }
         this.whole();

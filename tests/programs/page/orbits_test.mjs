@@ -118,6 +118,17 @@ test("the two extremal orbits have N - 1 or N collisions, with the bridge's cont
     }
 });
 
+test("whatever falls hits the floor, however fast it turns, or it is said that doubles do not find where", () => {
+    for (const [phidot, ydot] of [[1e7, -1], [-1e9, -1], [1e9, -1e-3], [1, -1e-5], [1e6, -1e6], [0, -1]]) {
+        const { collisions, complete } = orbitFromStart({ q: 10, phi: 0.6571, phidot, y: 2, ydot });
+        assert.ok(complete && collisions.length >= 1 && collisions.length <= 4, `${phidot} ${ydot}: ${collisions.length}`);
+    }
+    for (const [phidot, ydot] of [[1, -1e-300], [1e9, -1e-9], [1e9, -1e-308]]) {
+        const { collisions, complete } = orbitFromStart({ q: 10, phi: 0.6571, phidot, y: 2, ydot });
+        assert.ok(!complete || collisions.length >= 1, `${phidot} ${ydot}`);
+    }
+});
+
 test("an orbit's states lie in the charts of a full section where its collisions are", () => {
     const orbit = bridgeOrbit(0.5, 0.5, 100);
     const [[t, eta]] = chartPoints(orbit, "contact");
