@@ -49,12 +49,15 @@ Record last (eps u al y : R) : Prop := {
   tangency : eps * tan (al + beta eps u) = sin y;
   last_flight : cos y - cos u = sin y * (2 * PI - u - y) }.
 
-(** Of a step: U, d, the angle theta of its flight, Q, the defect D; the comparison function D0. *)
+(** Of a step: U, d, the angle theta of its flight, Q, the defect D; the comparison function D0, and beside it Delta and
+    y of L57. *)
 Definition middle u u' := (u + u') / 2.
 Definition half u u' := (u - u') / 2.
 Definition middle_invariant eps u al u' := (PI - middle u u') * cos (al + beta eps u).
 Definition defect eps u al u' al' := clock eps u al - 1 - clock eps u' al'.
-Definition comparison eps T := step_constant * sqrt eps * (sqrt T - sqrt (T - 1)) ^ 3.
+Definition difference T := sqrt T - sqrt (T - 1).
+Definition comparison eps T := step_constant * sqrt eps * difference T ^ 3.
+Definition place eps T := sqrt (4 * sqrt 3 * PI) / 2 * sqrt eps / difference T.
 
 (** (C1) to (C4): ratios a and b on either side of the critical ratio q_c(N), near to it. *)
 Definition steps := forall N, (3 <= N <= 902)%nat -> exists a b, 1 <= a /\ 1 <= b /\
@@ -67,26 +70,26 @@ Definition layer := forall eps u al u' al', step eps u al u' al' -> eps <= 1/100
   let U := middle u u' in U <= 9/10 -> half u u' <= U / 5 ->
   PI/2 - 1/100 <= middle_invariant eps u al u' <= PI/2 + 1/20 ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
-  let T := clock eps u al in let D := defect eps u al u' al' in
+  let T := clock eps u al in let y := place eps T in let Delta := difference T in
   1 < T /\
-  comparison eps T * (1 - 1.3 * U) <= D <= comparison eps T /\
-  (3/4 < U -> comparison eps T * (1 - 1.11 * U) <= D) /\
+  comparison eps T * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * Delta^2)) <= defect eps u al u' al' <=
+    comparison eps T * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * Delta^2)) /\
   invariant u al - invariant u' al' <= 15.9 * (2 * half u u') * eps^2 / U^4.
 
-(** (C9) and (C10), on three ranges of theta. *)
+(** (C9), and (C10) on three ranges of theta. *)
 Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
+Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
+Definition width t := 0.007 + 1.1 * t^8.
 Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
   near_half_pi (middle_invariant eps u al u') ->
-  let th := al + beta eps u in
-  let M lo hi := near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
-    lo * (eps / 2 * (al' - al)) <= defect eps u al u' al' <= hi * (eps / 2 * (al' - al)) in
+  let th := al + beta eps u in let share := eps / 2 * (al' - al) in
   let Lambda hi := invariant u al - invariant u' al' <= hi * (eps^2 * (al' - al)) in
-  (th <= 0.6 -> M (-0.334) 0 /\ Lambda 2.1) /\
-  (0.6 <= th <= 0.7 -> M (-0.125) 0.085 /\ Lambda 6.2) /\
-  (0.7 <= th <= 0.7944 -> M (-0.105) 0.47 /\ Lambda 22.7).
+  (th <= 0.7944 -> near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
+    Rabs (defect eps u al u' al' - rate th * share) <= width th * share) /\
+  (th <= 0.6 -> Lambda 2.1) /\ (0.6 <= th <= 0.7 -> Lambda 6.2) /\ (0.7 <= th <= 0.7944 -> Lambda 22.7).
 
 (** (C11): what the clock shows at the last contact, beside k0 s. *)
 Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->
   PI/2 - 0.1 * (u / 2) <= (PI - u / 2) * cos (al + beta eps u) <= PI/2 + 0.6 * (u / 2) ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
-  -0.23 * eps <= clock eps u al - 1 - step_constant * sqrt eps <= -0.0885 * eps.
+  Rabs (clock eps u al - 1 - step_constant * sqrt eps + 0.1655 * eps) <= (0.004 + 0.5 * (u / 2)) * eps.

@@ -139,7 +139,7 @@ Proof.
   assert (d * 0.0013 <= 0.00293 * 0.0013) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 (** The step from the last contact of the bulk. *)
-Theorem last_half_step : 0.897 <= u -> d <= U / 5 -> U <= 9/10 -> PI/2 - 1/100000 <= J -> u <= 0.91.
+Theorem last_half_step : 0.897 <= u -> d <= U / 5 -> U <= 9/10 -> PI/2 - 1/100000 <= J -> u <= 0.9042.
 Proof.
   intros Hu0 Hd HU HJ. assert (P := pi_value). destruct window_values as [_ [_ [_ [V _]]]].
   assert (Eu : u = U + d) by (unfold U, d, middle, half; lra).
