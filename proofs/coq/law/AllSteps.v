@@ -1,10 +1,12 @@
 (** All steps of an orbit lie where the conditions speak (L54 of law.md).
 
-    bulk_steps, layer_from == the steps of the bulk come first, then those of the layer
-    growing, area == a bound of M that grows with the angle, and its integral
-    L54a_bulk   == J >= pi/2 - 4.13 eps^2 in the bulk, and the sum of its defects
-    L54b_layer  == J >= pi/2 - 5.3 eps^2/u^3 at the contacts of the layer
-    followed, L54 == what is known of the whole orbit, given the conditions *)
+    convex, lost    == three slopes that (C10) gives, and with them what J may lose up to an angle, in eps^2
+    growing, area   == a bound of M that grows with the angle, and its integral
+    gained, missed  == what (C9) gives up to an angle, from above and from below
+    bulk_first      == the steps of the bulk come first, then those of the layer
+    L54a_bulk       == J >= pi/2 - 4.13 eps^2 in the bulk, and the sum of its defects
+    L54b_layer      == J >= pi/2 - 5.3 eps^2/u^3 at the contacts of the layer
+    followed, L54   == what is known of the whole orbit, given the conditions *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.

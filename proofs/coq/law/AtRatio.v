@@ -1,5 +1,5 @@
-(** What the steps and Theorem A say of one mass ratio (L56 of law.md),
-  and Theorem 4 of theorem.md: N/sqrt q tends to C.
+(** What the steps and Theorem A say of one mass ratio (L56 of law.md), and Theorem 4 of theorem.md: N/sqrt q tends
+    to C.
 
     L56_early  == 3 <= N <= 902: the enclosed critical ratio decides
     L56_late   == N >= 903: two inequalities decide
@@ -111,22 +111,25 @@ Proof.
   assert (F : k * / sqrt q <= 0.61 * / sqrt q) by (apply Rmult_le_compat_r; lra). unfold side. lra.
 Qed.
 Theorem L56_late N q n : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> 1 <= q -> N_star q n ->
-  let middle := law_constant * quarter q - log_constant * / sqrt q * ln q - constant_of N * / sqrt q in
-  let error := (0.11 + 2.6 * quarter q) * / sqrt q in
+  let s := quarter q in let middle := law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2 in
+  let error := (0.11 + 2.6 * s) * s^2 in
   (middle + error < delta N q -> (N <= n)%nat) /\ (delta N q <= middle - error -> (n < N)%nat).
 Proof.
-  intros HS HL HB HE HN Hq Hn middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
-  destruct (theorem_A N c HS HL HB HE HN Hc) as [A Hc1]. apply Rabs_le_between in A.
+  intros HS HL HB HE HN Hq Hn s middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
+  assert (Hc1 := late_enough N c HS HN Hc). assert (A := theorem_A N c HS HL HB HE HN Hc).
+  unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra. apply Rabs_le_between in A.
   destruct (by_critical N q c n Hc Hq Hn) as [X Y].
   assert (K : 0.378 <= constant_of N <= 0.496) by (unfold constant_of; destruct (Nat.even N); lra).
-  set (k := constant_of N) in *. assert (E1 : middle + error = side (k - 0.11) 2.6 q) by (unfold middle, error, side; lra).
-  assert (E2 : middle - error = side (k + 0.11) (-2.6) q) by (unfold middle, error, side; lra).
+  set (k := constant_of N) in *. assert (S2 : s^2 = / sqrt q) by (apply quarter_square; lra).
+  assert (E1 : middle + error = side (k - 0.11) 2.6 q) by (unfold middle, error, side; rewrite S2; fold s; lra).
+  assert (E2 : middle - error = side (k + 0.11) (-2.6) q) by (unfold middle, error, side; rewrite S2; fold s; lra).
   assert (A1 : delta N c <= side (k - 0.11) 2.6 c) by (unfold side; lra).
   assert (A2 : side (k + 0.11) (-2.6) c <= delta N c) by (unfold side; lra).
   rewrite E1, E2. split; intros H.
   - destruct (Rle_dec q 5) as [L|L].
-    + exfalso. destruct (early_side (k - 0.11) q ltac:(lra) ltac:(lra)) as [S1 S2]. destruct growth_value as [_ G].
-      assert (N9 : 903 <= INR N) by (replace 903 with (INR 903) by (rewrite INR_IZR_INZ; reflexivity); now apply le_INR).
+    + exfalso. destruct (early_side (k - 0.11) q ltac:(lra) ltac:(lra)) as [B1 B2]. destruct growth_value as [_ G].
+      assert (N9 : 903 <= INR N)
+        by (replace 903 with (INR 903) by (rewrite INR_IZR_INZ; reflexivity); now apply le_INR).
       assert (growth * sqrt q <= 0.886 * sqrt q) by (apply Rmult_le_compat_r; [apply sqrt_pos | lra]).
       unfold delta in H. lra.
     + apply X. apply Rnot_le_lt. intros Z. destruct (Req_dec q c) as [Eq|]; [rewrite Eq in H; lra|].

@@ -1,10 +1,12 @@
 (** The clock (L45 of law.md): T = S(J, al)/(2 eps), regular at al = 0; for al > 0 also tau(u, J)/(2 eps).
 
-    G, tau              == as in law.md
-    L45a_clock          == S(J, al) = tau(u, J)
-    tau_mono            == L45 (b): tau increases with u and J
-    L45c_below, L45c_u  == L45 (c): u <= 4.6724 sqrt (eps T)
-    L45d_above, L45d_below == L45 (d), a little sharper: the clock at u = 0.9042 and u = 0.897 *)
+    G, tau                  == as in law.md
+    radicand                == F^2 - J^2 > 0, for 0 < J < F
+    G_continuous, tau_integrable == so G and the integrand of tau are regular
+    L45a_clock              == S(J, al) = tau(u, J)
+    tau_mono                == L45 (b): tau increases with u and J
+    L45c_below, L45c_u      == L45 (c): u <= 4.6724 sqrt (eps T)
+    L45d_above, L45d_below  == L45 (d), a little sharper: the clock at u = 0.9042 and u = 0.897 *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.

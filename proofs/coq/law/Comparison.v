@@ -1,8 +1,11 @@
 (** The defect beside the comparison function (L50 of law.md).
 
+    roots            == B
     ratio            == Rr, (13), with m = 2 eps D/d^3
     L50a_late        == T >= 1 if and only if (1 + rho)^2 k1 >= 2 rho eps^
     L50a_ratio       == D = D0 T Rr
+    root_three       == sqrt 3 sqrt 3 = 3
+    step_constant_is == k0 = 3^(-7/4) pi^(-1/2) in square roots
     L50b_first, L50b_second == m1 and m2 at U = 0, from the values there of G1, H, a, a_p, g1, mu
     L50b_constant    == with their sum m0 and eps^ = 1/(sqrt 3 pi), Rr = 1: this fixes k0 *)
 From Coq Require Import Reals Lra.

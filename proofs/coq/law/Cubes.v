@@ -1,9 +1,10 @@
 (** The sum of the cubes (sqrt n - sqrt (n - 1))^3 (L55 of law.md).
 
-    cube_is               == a cube is that of the difference
-    cubes_converge        == their sum converges
-    tail_above, tail_below == L55 (c): what is left of the sum after M + 1 terms
-    Series_below, k0_value, c0_value == decimals *)
+    cube_is                 == a cube is that of the difference
+    cubes_converge          == their sum converges
+    tail_above, tail_below  == L55 (c): what is left of the sum after M + 1 terms
+    sum_below_series        == no partial sum exceeds it
+    Series_value, k0_value  == decimals of it and of k0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -17,7 +18,8 @@ Proof. unfold cube, difference. now replace (INR (S n) - 1) with (INR n) by (rew
 Lemma cube_above n : / (4 * sqrt (INR (S n))) - / (4 * sqrt (INR (S (S n)))) <= cube n.
 Proof.
   unfold cube. assert (P0 := pos_INR n). rewrite !S_INR. set (x := INR n) in *.
-  destruct (root_step (x + 1) ltac:(lra)) as [E P]. unfold difference in E. replace (x + 1 - 1) with x in * by ring. rewrite E.
+  destruct (root_step (x + 1) ltac:(lra)) as [E P]. unfold difference in E.
+  replace (x + 1 - 1) with x in * by ring. rewrite E.
   set (a := sqrt x) in *. set (b := sqrt (x + 1)) in *. set (c := sqrt (x + 1 + 1)).
   assert (A : 0 <= a) by apply sqrt_pos. assert (B : 0 < b) by (apply sqrt_lt_R0; lra).
   assert (C : b < c) by (apply sqrt_lt_1; lra). assert (AB : a < b) by (apply sqrt_lt_1; lra).

@@ -1,8 +1,11 @@
 (** The difference Delta = sqrt T - sqrt (T - 1) of LawStatement.v, for T from n to n + x, and its sums (L55 of law.md):
     with t = 1/(n (n - 1)), whose sum from n = 2 on is 1, every loss is at most a multiple of t.
 
-    difference_falls  == it falls
-    cube_raised, square_raised == what its powers lose at most from n to n + x
+    root_step         == Delta = 1/(sqrt T + sqrt (T - 1))
+    difference_falls, difference_one == Delta falls, from 1 at T = 1
+    roots_of_n        == 1/(sqrt n sqrt (n - 1)) is the root of t
+    square_below      == Delta^2 is at most a quarter of it
+    cube_raised, square_raised == what the powers of Delta lose at most from n to n + x
     fourth_power      == Delta^4 <= t/16
     logarithm         == Delta^2 is (ln n - ln (n - 1))/4, but for 0.0038 t: that is artanh (Delta^2) *)
 From Coq Require Import Reals Lra.
@@ -135,7 +138,8 @@ Hypothesis Hx : 0 <= x <= 1.
 Lemma difference_raised : difference n * (1 - x * w / 2) <= difference (n + x) /\ 0 <= 1 - x * w / 2.
 Proof.
   destruct roots_of_n as [A [B [W _]]]. destruct (root_step n ltac:(lra)) as [-> P].
-  destruct (root_step (n + x) ltac:(lra)) as [-> Q]. replace (n + x - 1) with (n - 1 + x) in * by ring. fold a b in P |- *.
+  destruct (root_step (n + x) ltac:(lra)) as [-> Q]. replace (n + x - 1) with (n - 1 + x) in * by ring.
+  fold a b in P |- *.
   assert (X1 := sqrt_raised n x ltac:(lra) ltac:(lra)). assert (X2 := sqrt_raised (n - 1) x ltac:(lra) ltac:(lra)).
   fold a in X1. fold b in X2. set (y := x * w / 2).
   assert (XW : 0 <= x * w <= 1).
@@ -152,8 +156,8 @@ Proof.
   destruct roots_of_n as [_ [_ [W [E _]]]]. destruct square_below as [D S]. destruct difference_raised as [R P].
   apply Rle_trans with ((difference n * (1 - x * w / 2)) ^ 2).
   - set (y := x * w) in *. assert (Y : 0 <= y) by (apply Rmult_le_pos; lra).
-    replace ((difference n * (1 - y / 2)) ^ 2) with (difference n ^ 2 - y * difference n ^ 2 + (difference n * y / 2) ^ 2)
-      by field.
+    replace ((difference n * (1 - y / 2)) ^ 2) with
+      (difference n ^ 2 - y * difference n ^ 2 + (difference n * y / 2) ^ 2) by field.
     assert (0 <= (difference n * y / 2) ^ 2) by apply pow2_ge_0.
     assert (y * difference n ^ 2 <= y * (w / 4)) by (apply Rmult_le_compat_l; lra).
     replace (x / 4 * t) with (y * (w / 4)) by (rewrite <- E; unfold y; field). lra.

@@ -10,7 +10,8 @@ Local Open Scope R_scope.
 Lemma late_delta N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   0 < delta N q < law_constant * quarter q /\ law_constant * quarter q <= 0.007.
 Proof.
-  intros HS HL HB HE HN Hc. destruct (theorem_A N q HS HL HB HE HN Hc) as [A Hq]. apply Rabs_le_between in A.
+  intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := theorem_A N q HS HL HB HE HN Hc).
+  unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra. apply Rabs_le_between in A.
   destruct (A_positive q Hq) as [P Q]. assert (K : 0.378 <= constant_of N <= 0.496)
     by (unfold constant_of; destruct (Nat.even N); lra).
   assert (S : 1000 <= sqrt q) by (rewrite <- (sqrt_square 1000) by lra; apply sqrt_le_1; lra).

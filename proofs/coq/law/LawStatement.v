@@ -1,13 +1,20 @@
-(** Statement: the law for every mass ratio (Theorem B of law.md) and the conditions it is proved from (law.md,
-  "What the
-    certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
+(** Statement: the law for every mass ratio (Theorems A and B of law.md) and the conditions it is proved from (law.md,
+    "What the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
     Definitions only.
 
     growth, step_constant, law_constant == C, k0, c0
+    cube, quarter           == (sqrt (n + 1) - sqrt n)^3; q^(-1/4)
+    from_nine               == q is at least q_c(9)
     the_law                 == Theorem B: N = 2 + floor (C sqrt q), or less by a share c0 q^(-1/4) of a step
     law_everywhere          == its second half: 0.980 <= N - C sqrt q <= 2.115
+    delta, log_constant, constant_of == delta_N at q = q_c(N), kappa, k_N
+    law_with_logarithm      == Theorem A, of N and q = q_c(N)
     beta, invariant, clock  == beta, J, T of a contact at u from the peak, at the mid angle al
+    clock_integral          == S
     step, last              == from a contact to the next one; from the last contact along the tangent flight
+    middle, half, middle_invariant, defect == U, d, Q, D of a step
+    difference, comparison, place == Delta, D0, y of a T (L57)
+    near_half_pi, rate, width == the window of (C9) and (C10), and p and w of (C9)
     steps, layer, bulk, end_of_orbit == the conditions (C1) to (C4), (C5) to (C8), (C9) and (C10), (C11) *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
@@ -27,8 +34,14 @@ Definition the_law := forall q N, from_nine q -> N_star q N ->
   (Z.of_nat N <= 2 + Int_part (growth * sqrt q))%Z.
 Definition law_everywhere := forall q N, 1 <= q -> N_star q N -> 0.980 <= INR N - growth * sqrt q <= 2.115.
 
-(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u;
-  al is half the sum of
+(** Theorem A, where q is the critical ratio q_c(N). *)
+Definition delta N q := growth * sqrt q - (INR N - 2).
+Definition log_constant := 5 / (36 * sqrt 3 * PI).
+Definition constant_of (N : nat) := if Nat.even N then 0.496 else 0.378.
+Definition law_with_logarithm N q := let s := quarter q in
+  Rabs (delta N q - (law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2)) <= (0.11 + 2.6 * s) * s^2.
+
+(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u; al is half the sum of
     the angles of the flights before and after it (L43), beta half their difference. *)
 Definition beta eps u := atan (eps / sin u).
 Definition invariant u al := (PI - u) * cos al.

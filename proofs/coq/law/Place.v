@@ -1,8 +1,9 @@
 (** What (C6) and (C7) say of the defect D of a step of the layer (L57 (a) of law.md). With Delta, y of the step:
 
-    scale eps        == h = y Delta, which is (c/2) s
-    L57a_product     == D0(T) y = eps Delta^2/(3 sqrt 3), as k0 (c/2) = 1/(3 sqrt 3)
-    place_range      == y Delta <= 0.0739, y^2 <= 1.334
+    scale            == h = y Delta, which is (c/2) s
+    scale_value      == decimals of c/2
+    L57a_product     == k0 s h = eps/(3 sqrt 3); so D0(T) y = eps Delta^2/(3 sqrt 3)
+    place_range      == h <= 0.0739, y^2 <= 1.334
     layer_defect     == 0 < D <= D0(T), and the two bounds without a quotient *)
 From Coq Require Import Reals Lra.
 From Interval Require Import Tactic.

@@ -1,7 +1,8 @@
 (** The layer in Theorem A, in terms of its steps: if the clock T falls by 1 + D at each, D lies between the bounds that
-    (C6) and (C7) give (z = k0 s, y = h/Delta, g = 5/(3 pi)), and T is 1 + e at the end, then e + the sum of D is the sum
-    of the comparison function, a logarithm, and small terms. With P = 1 - 1/(j + 1), which every sum of 1/(n (n - 1)) is:
+    (C6) and (C7) give (z = k0 s, y = h/Delta, g = 5/(3 pi)), and T is 1 + e at the end, then e + the sum of D is the
+    sum of the comparison function, a logarithm, and small terms, with P = 1 - 1/(j + 1), the sum of all 1/(n (n - 1)).
 
+    clock_above       == T > j + 1 at j steps from the end
     sandwich_above    == T <= j + 1 + e + the sum of the cubes
     logarithm_above   == what is lost by the logarithm, at least
     logarithm_below   == at most *)
@@ -43,8 +44,10 @@ Variables (h g x : R).
 Hypothesis Hh : 0 <= h.
 Hypothesis Hg : 0 <= g.
 Hypothesis Hsum : e + z * (Series cube - 1) <= x <= 1.
-Hypothesis HU : forall j, (j < m)%nat -> let d := Delta j in D j <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4)).
-Hypothesis HL : forall j, (j < m)%nat -> let d := Delta j in z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D j.
+Hypothesis HU : forall j, (j < m)%nat -> let d := Delta j in
+  D j <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4)).
+Hypothesis HL : forall j, (j < m)%nat -> let d := Delta j in
+  z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D j.
 Let P j := 1 - / INR (S j).
 
 (** What a step has: its Delta beside that of the integer n below its T. *)

@@ -1,6 +1,8 @@
 (** The clock at the first contact (L46 of law.md).
 
     corner_clock == T_0 = C/(2 eps) on the corner orbit
+    W            == sin (J/cos a)
+    growth_lost  == what the integral C loses as J rises from pi/2
     top_clock    == C/(2 eps) - 1/2 - T_1 is in [0.0580, 0.0590] eps on the top orbit *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.

@@ -1,18 +1,19 @@
 (** Theorem A of law.md, from the conditions: delta_N for N >= 903.
 
-    L46       == delta_N/2 = start + T_0 - (n + 1): the sum of all defects, the end and the start
-    log_constant, constant_of N == kappa, k_N
-    theorem_A == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.11 + 2.6 s) s^2, where s = q^(-1/4)
-    A_positive == the lower bound is positive *)
+    log_constant_value == decimals of kappa
+    L46             == delta_N/2 = start + T_0 - (n + 1): the sum of all defects, the end and the start
+    layer_and_end   == what the layer and the end give of it
+    late_enough     == such a critical ratio is at least 10^6
+    quarter_square  == q^(-1/4)^2 = 1/sqrt q
+    theorem_A       == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.11 + 2.6 s) s^2, where s = q^(-1/4)
+    A_positive      == the lower bound is positive *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import CriticalRatios LawStatement Differences Cubes Comparison Place Sandwich TheoremB Angles Orbit
-  Ends Start AllSteps.
+From Dumbbell Require Import CriticalRatios LawStatement Differences Cubes Comparison Place Sandwich TheoremB Angles
+  Orbit Ends Start AllSteps.
 Local Open Scope R_scope.
 
-Definition log_constant := 5 / (36 * sqrt 3 * PI).
-Definition constant_of (N : nat) := if Nat.even N then 0.496 else 0.378.
 Lemma log_constant_value : 0.025 <= log_constant <= 0.026.
 Proof. unfold log_constant. split; interval. Qed.
 
@@ -175,7 +176,8 @@ Proof.
   assert (W2 : z * x * Q <= 0.00909 * eps * 1) by (apply Rmult_le_compat; lra).
   assert (W3 : c * eps * ((0.0038 + x / 4) * Q) <= 0.1021 * eps * 0.00467).
   { apply Rmult_le_compat; [apply Rmult_le_pos; lra | apply Rmult_le_pos; unfold x; lra
-      | apply Rmult_le_compat_r; lra |]. apply Rle_trans with (0.00467 * 1); [apply Rmult_le_compat; unfold x; lra | lra]. }
+      | apply Rmult_le_compat_r; lra |].
+    apply Rle_trans with (0.00467 * 1); [apply Rmult_le_compat; unfold x; lra | lra]. }
   assert (W4 : c * eps * 2.792 <= c * eps * (- ln eps - ln (INR (S m))) <= c * eps * 2.822).
   { assert (0 <= c * eps) by (apply Rmult_le_pos; lra). split; apply Rmult_le_compat_l; lra. }
   assert (W5 : 0.10209 * eps <= c * eps <= 0.1021 * eps) by (split; apply Rmult_le_compat_r; lra).
@@ -192,16 +194,24 @@ Proof.
 Qed.
 End OneRatio.
 
-Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
-  Rabs (delta N q - (law_constant * quarter q - log_constant * / sqrt q * ln q - constant_of N * / sqrt q)) <=
-    (0.11 + 2.6 * quarter q) * / sqrt q /\ 1000000 <= q.
+Lemma late_enough N q : steps -> (903 <= N)%nat -> critical N q -> 1000000 <= q.
 Proof.
-  intros HS HL HB HE HN Hc. assert (Hq : 1000000 <= q).
-  { destruct (theorem_2b 903 ltac:(lia)) as [p [Hp _]]. assert (L := above_a_million p HS Hp).
-    destruct (Nat.eq_dec N 903) as [->|Z]; [rewrite (critical_unique 903 q p Hc Hp); lra|].
-    assert (p < q); [|lra]. clear -HN Z Hp Hc. assert (Q := N_at_critical N q ltac:(lia) Hc). destruct Hc as [Hq Hc].
-    apply (proj2 Hp q Hq). exists (N - 1)%nat. split; [exact Q | lia]. }
-  split; [|exact Hq]. destruct (orbit_of_critical N q ltac:(lia) Hc) as [n [u [al [y Orb]]]].
+  intros HS HN Hc. destruct (theorem_2b 903 ltac:(lia)) as [p [Hp _]]. assert (L := above_a_million p HS Hp).
+  destruct (Nat.eq_dec N 903) as [->|Z]; [rewrite (critical_unique 903 q p Hc Hp); lra|].
+  assert (p < q); [|lra]. assert (Q := N_at_critical N q ltac:(lia) Hc). destruct Hc as [Hq Hc].
+  apply (proj2 Hp q Hq). exists (N - 1)%nat. split; [exact Q | lia].
+Qed.
+Lemma quarter_square q : 0 < q -> quarter q ^ 2 = / sqrt q.
+Proof.
+  intros Hq. unfold quarter. assert (0 < sqrt q) by (now apply sqrt_lt_R0). rewrite pow_inv. f_equal.
+  apply pow2_sqrt. lra.
+Qed.
+Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+  law_with_logarithm N q.
+Proof.
+  intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc).
+  destruct (orbit_of_critical N q ltac:(lia) Hc) as [n [u [al [y Orb]]]].
+  unfold law_with_logarithm. cbv zeta. rewrite quarter_square by lra.
   exact (both_halves N q Hc Hq n u al y Orb HL HB HE).
 Qed.
 (** kappa ln q + 0.606 + 2.6 s < c0 q^(1/4). *)

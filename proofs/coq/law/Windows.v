@@ -1,9 +1,10 @@
 (** First windows (L53 of law.md): where the middle invariant Q of a step, or of the tangent flight, is.
 
-    L53a_layer  == in the layer Q is in pi/2 + [-0.01, 0.05]
-    L53b_bulk   == in the bulk Q is in pi/2 + [-1, 3] 10^-5, th < 0.7944, d < 0.00293, beta <= 0.0013
-    L53c_end    == at the end Q is in pi/2 + d [-0.1, 0.6]
-    last_half_step == the step from the bulk into the layer is short, too *)
+    beta_above      == 0 < beta <= eps/sin u
+    L53a_layer      == in the layer Q is in pi/2 + [-0.01, 0.05]
+    L53b_bulk       == in the bulk Q is in pi/2 + [-1, 3] 10^-5, th < 0.7944, d < 0.00293, beta <= 0.0013
+    L53c_end        == at the end Q is in pi/2 + d [-0.1, 0.6]
+    last_half_step  == the step from the bulk into the layer is short, too *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
