@@ -249,7 +249,8 @@ Theorem law : LawStatement.steps -> LawStatement.layer -> LawStatement.bulk -> L
   LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
 Theorem theorem_A : forall (N : nat) (q : R), LawStatement.steps -> LawStatement.layer -> LawStatement.bulk ->
-  LawStatement.end_of_orbit -> (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q.
+  LawStatement.end_of_orbit -> (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+  0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
 Proof. exact TheoremA.theorem_A. Qed.
 Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)
   (u al : nat -> R) (y : R), Orbit.orbit (/ sqrt q) N n u al y.

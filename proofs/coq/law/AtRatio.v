@@ -116,7 +116,7 @@ Theorem L56_late N q n : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%na
   (middle + error < delta N q -> (N <= n)%nat) /\ (delta N q <= middle - error -> (n < N)%nat).
 Proof.
   intros HS HL HB HE HN Hq Hn s middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
-  assert (Hc1 := late_enough N c HS HN Hc). assert (A := theorem_A N c HS HL HB HE HN Hc).
+  assert (Hc1 := late_enough N c HS HN Hc). assert (A := enclosed N c HS HL HB HE HN Hc).
   unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra. apply Rabs_le_between in A.
   destruct (by_critical N q c n Hc Hq Hn) as [X Y].
   assert (K : 0.378 <= constant_of N <= 0.496) by (unfold constant_of; destruct (Nat.even N); lra).

@@ -5,8 +5,9 @@
     layer_and_end   == what the layer and the end give of it
     late_enough     == such a critical ratio is at least 10^6
     quarter_square  == q^(-1/4)^2 = 1/sqrt q
-    theorem_A       == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.11 + 2.6 s) s^2, where s = q^(-1/4)
-    A_positive      == the lower bound is positive *)
+    enclosed        == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.11 + 2.6 s) s^2, where s = q^(-1/4)
+    A_positive      == the lower bound is positive
+    theorem_A       == delta_N is so enclosed, and is between 0 and c0 s *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -206,7 +207,7 @@ Proof.
   intros Hq. unfold quarter. assert (0 < sqrt q) by (now apply sqrt_lt_R0). rewrite pow_inv. f_equal.
   apply pow2_sqrt. lra.
 Qed.
-Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Lemma enclosed N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q.
 Proof.
   intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc).
@@ -216,13 +217,13 @@ Proof.
 Qed.
 (** kappa ln q + 0.606 + 2.6 s < c0 q^(1/4). *)
 Lemma A_positive q : 1000000 <= q ->
-  (log_constant * ln q + 0.606 + 2.6 * quarter q) * / sqrt q < law_constant * quarter q /\ quarter q <= 0.032.
+  (log_constant * ln q + 0.606 + 2.6 * quarter q) * / sqrt q < law_constant * quarter q /\ quarter q <= 0.0318.
 Proof.
   intros Hq. assert (S : 1000 <= sqrt q) by (rewrite <- (sqrt_square 1000) by lra; apply sqrt_le_1; lra).
   set (w := sqrt (sqrt q)). assert (W : 31.5 <= w) by (rewrite <- (sqrt_square 31.5) by lra; apply sqrt_le_1; lra).
   assert (E1 : sqrt q = w * w) by (unfold w; rewrite sqrt_sqrt; lra).
   assert (E2 : q = w * w * (w * w)) by (rewrite <- E1, sqrt_sqrt; lra).
-  assert (I : 0 < / w <= 0.032).
+  assert (I : 0 < / w <= 0.0318).
   { split; [apply Rinv_0_lt_compat; lra|]. apply Rle_trans with (/ 31.5); [apply Rinv_le_contravar|]; lra. }
   unfold quarter. fold w. split; [|lra]. rewrite E1. assert (L : ln q = 4 * ln w).
   { rewrite E2. assert (0 < w * w) by (apply Rmult_lt_0_compat; lra). rewrite ln_mult, ln_mult by lra. ring. }
@@ -236,4 +237,20 @@ Proof.
   apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; lra|].
   apply Rmult_lt_reg_r with w; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   assert (0.17 * w <= law_constant * w) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+  law_with_logarithm N q /\ 0 < delta N q < law_constant * quarter q.
+Proof.
+  intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := enclosed N q HS HL HB HE HN Hc).
+  split; [exact A|]. unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra.
+  apply Rabs_le_between in A. destruct (A_positive q Hq) as [P Q].
+  assert (K : 0.378 <= constant_of N <= 0.496) by (unfold constant_of; destruct (Nat.even N); lra).
+  assert (I : 0 < / sqrt q) by (apply Rinv_0_lt_compat, sqrt_lt_R0; lra).
+  assert (L : 0 <= ln q) by (rewrite <- ln_1; apply ln_le; lra).
+  assert (G : 0 <= log_constant * / sqrt q * ln q).
+  { assert (0 <= log_constant * / sqrt q) by (apply Rmult_le_pos; [destruct log_constant_value|]; lra).
+    apply Rmult_le_pos; lra. }
+  assert (K1 : 0.378 * / sqrt q <= constant_of N * / sqrt q <= 0.496 * / sqrt q)
+    by (split; apply Rmult_le_compat_r; lra).
+  assert (K2 : quarter q * / sqrt q <= 0.0318 * / sqrt q) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
