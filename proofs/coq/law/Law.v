@@ -9,13 +9,10 @@ Local Open Scope R_scope.
 Lemma late_delta N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   0 < delta N q < law_constant * quarter q /\ law_constant * quarter q <= 0.007.
 Proof.
-  intros HS HL HB HE HN Hc. destruct (theorem_A N q HS HL HB HE HN Hc) as [[A B] Hq]. assert (P := A_positive q Hq).
-  assert (S : 1000 <= sqrt q) by (rewrite <- (sqrt_square 1000) by lra; apply sqrt_le_1; lra).
-  assert (0 < / sqrt q) by (apply Rinv_0_lt_compat; lra). split; [lra|]. destruct c0_value as [C1 C2].
-  assert (W : 31.5 <= sqrt (sqrt q)) by (rewrite <- (sqrt_square 31.5) by lra; apply sqrt_le_1; lra).
-  assert (Q : quarter q <= / 31.5) by (apply Rinv_le_contravar; lra).
-  assert (Q0 : 0 < quarter q) by (apply Rinv_0_lt_compat; lra).
-  apply Rle_trans with (0.22 * / 31.5); [apply Rmult_le_compat|]; lra.
+  intros HS HL HB HE HN Hc. destruct (theorem_A N q HS HL HB HE HN Hc) as [_ A]. split; [exact A|].
+  destruct (A_positive q (late_enough N q HS HN Hc)) as [_ Q]. destruct c0_value as [C1 C2].
+  assert (Q0 : 0 < quarter q) by (apply Rinv_0_lt_compat, sqrt_lt_R0, sqrt_lt_R0; destruct Hc; lra).
+  apply Rle_trans with (0.22 * 0.0318); [apply Rmult_le_compat|]; lra.
 Qed.
 
 Theorem law : steps -> layer -> bulk -> end_of_orbit -> the_law /\ law_everywhere.
