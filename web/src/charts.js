@@ -5,7 +5,7 @@ import { show } from "./numbers.js";
 
 const bridge = {
     about: "contacts of the heavy mass with the floor",
-    axes: { e: "e: angle from the corner", eta: "\u03b7: slope above the tangent, in units of r = 1/q" },
+    axes: { e: "e: angle from the corner", eta: "\u03b7: slope above the tangent, in units of r = 1/q (of a body: of \u03c1)" },
     psi: (e) => Math.PI / 2 - e,
     position: (psi) => Math.PI / 2 - psi,
     slope: (e, eta, r) => r * (Math.cos(e) + eta),

@@ -164,8 +164,8 @@ class Cover {
         this.counter.textContent = [thinned, note, this.chart ? `Chart ${this.choice.chart}: ${this.chart.about}.` : ""].filter(Boolean).join(" ");
     }
 
-    /// The ratio at which slopes are shown, for the physical coordinates.
-    get r() { return 1 / this.fixed[2]; }
+    /// The heights (of a body; else the ratio) at which slopes are shown, for the physical coordinates.
+    get r() { return this.choice.rho ?? 1 / this.fixed[2]; }
 
     get map() {
         if (!this.isPhysical) {
@@ -201,7 +201,7 @@ class Cover {
         const paint = (i) => this.colouring.paint(this.source.kinds[i]);
         drawBoxes(plane, { tree: this.tree, xAxis: this.x, yAxis: this.y, fixed, map: this.map, paint, ink: colour("--box-ink") });
         if (this.choice.marks && this.x === 0 && this.y === 1) {
-            drawMarks(plane, this.choice.marks(1 / this.r), this.map);
+            drawMarks(plane, this.choice.marks(this.fixed[2]), this.map);
         }
         if (this.start) {
             plane.dot(this.fixed[this.x], this.fixed[this.y], 6, "--mark", 2);
