@@ -79,12 +79,12 @@ test("where both masses hit the floor at once no motion is defined, as dumbbell 
 
 test("each shipped witness has in the page the collisions that its certificate claims", () => {
     let witnesses = 0;
-    for (const file of dataOf("stairs", "long", "ten", "full", "wedge", "hybrid")) {
+    for (const file of dataOf("stairs", "long", "ten", "full", "wedge", "hybrid", "coin", "rod")) {
         for (const piece of file.pieces) {
             const { chart, e, eta, forward, backward } = piece.witness;
             const [a, b] = [toNumber(parse(e)), toNumber(parse(eta))];
             const q = middle(piece);
-            const orbit = chart === "wedge" ? wedgeOrbit(b, q) : bridgeOrbit(a, b, q);
+            const orbit = chart === "wedge" ? wedgeOrbit(b, q) : bridgeOrbit(a, b, q, file.rho ? toNumber(parse(file.rho)) : 1 / q);
             const found = orbit.collisions.length;
             assert.ok(found >= 1 + forward + backward && (piece.upper === null || found <= piece.upper), `${file.name} ${piece.lo}: ${found}`);
             ++witnesses;
@@ -95,16 +95,16 @@ test("each shipped witness has in the page the collisions that its certificate c
 });
 
 test("an orbit keeps its energy, stays above the floor, and collides on it", () => {
-    for (const [e, eta, q] of [[0.5, 0.5, 10], [0.5, 0.5, 100], [0.25, 0.5, 1e4], [1.2, 3, 50]]) {
-        const orbit = bridgeOrbit(e, eta, q);
+    for (const [e, eta, q, rho = 1 / q] of [[0.5, 0.5, 10], [0.5, 0.5, 100], [0.25, 0.5, 1e4], [1.2, 3, 50], [0.818, 0.0078, 4, 1], [0.1636, 0.00586, 9.717, 0.10492]]) {
+        const orbit = bridgeOrbit(e, eta, q, rho);
         const energy = ({ vpsi, vy }) => vpsi ** 2 + q * vy ** 2;
         for (const c of orbit.collisions) {
             assert.ok(Math.abs(energy(c.before) - 1) < 1e-9 && Math.abs(energy(c.after) - 1) < 1e-9);
-            assert.ok(Math.abs(c.y - floorAt(c.psi, 1 / q)) < 1e-12);
+            assert.ok(Math.abs(c.y - floorAt(c.psi, rho)) < 1e-12);
         }
         for (let t = orbit.first.until; t < orbit.last.until; t += 0.05) {
             const { psi, y } = stateAt(orbit, t);
-            assert.ok(y > floorAt(psi, 1 / q) - 1e-9);
+            assert.ok(y > floorAt(psi, rho) - 1e-9);
         }
     }
 });
