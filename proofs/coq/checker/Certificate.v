@@ -1,6 +1,12 @@
 (** What a certificate of the section `turning` or `full` is, once it is read (docs/reference/format.md, sections 2 and
     3; format-sections.md, sections 1 and 2), with the exact boxes of its trees. Nothing here is about rays or floating
-    point: Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy. *)
+    point: Text.v says how a certificate is written in lines, Leaves.v and FullLeaves.v what a leaf must satisfy.
+
+    ratio, ratio_value, ratio_le, ratio_eq == a positive fraction, its value, and comparisons of two
+    dyadic, span, box == a number m/2^n, a stretch of an axis between two, a box in three axes; in_box: a point is in it
+    certificate, piece, cover, tree, reason, contact == what a file says: pieces, trees, why a leaf holds, a witness
+    check_tree == each leaf of a tree holds in its box; check_tree_sound: then the whole box is covered
+    chart_box, wide_enough == a chart's root box over a range of ratios, and that it holds the whole chart *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool String.
 Local Open Scope R_scope.
 

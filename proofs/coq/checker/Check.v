@@ -1,6 +1,12 @@
 (** The checker of a certificate: every leaf and witness in double precision, and what does not hold there with the
     piece's bits; that the pieces join; and whether together they prove what was asked. Its answer is proved in
-    theorems/Verdict.v. *)
+    theorems/Verdict.v.
+
+    leaf_holds, contact_holds, piece_fault   == a leaf, a witness, a piece is right: by doubles, or with its bits
+    joined, covered                          == the pieces join; the good ones among them cover a range
+    demand, unproved                         == what was asked; that the pieces do not prove it
+    certificate_fault                        == the first fault of a certificate, or None
+    greatest, least, is_gap, is_open, how_many == what a verdict says beside: bounds, and pieces whose bounds differ *)
 From Coq Require Import ZArith NArith List Bool String DecimalString DecimalN.
 From Dumbbell Require Import Certificate Doubles Multiple.
 Import ListNotations.

@@ -1,4 +1,10 @@
-(** The computable counts: at_most (L5 (e) from below), at_least (from above), and their soundness. *)
+(** The computable counts: at_most (L5 (e) from below), at_least (from above), and their soundness.
+
+    guesses, consts               == where roots are looked for, which is not trusted; enclosures of pi, 1, ...
+    low, up                       == an interval's lower, upper end as a number
+    at_most, at_least             == computed: the ray has at most, at least, n collisions
+    misses, earliest              == computed: it has none; the first one is not before here
+    at_most_sound, at_least_sound == L5 (e): what is computed holds for rays above, or below, the enclosed one *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.

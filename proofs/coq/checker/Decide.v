@@ -1,6 +1,11 @@
 (** Claims about N(q) decided without a certificate: N(q) >= n is a question about one orbit at one mass ratio
     (Theorem 1), and N grows with q (Theorem 2), so that a range needs one end for each bound. In double precision
-    first, then with more and more bits, within a budget. The answers are proved in exact/Decided.v. *)
+    first, then with more and more bits, within a budget. The answers are proved in exact/Decided.v.
+
+    numbers                == doubles, or so many bits
+    reaches, decide        == N(q) >= n or not, by one orbit, with given numbers; with the first that tell
+    claim, finding, settle == bounds on a range of ratios; that they are true, false, or not decided
+    holds                  == the same with given numbers, for the kernel *)
 From Coq Require Import ZArith NArith List Bool.
 From Dumbbell Require Import Certificate Leaves TwoOrbits Doubles Multiple Check.
 Import ListNotations.

@@ -1,5 +1,9 @@
 (** The checker of leaves with the processor's doubles. The guesses are not trusted: nothing is proved, or need be,
-  about them. *)
+  about them.
+
+    G, root                                 == the guesses, by Newton's iteration
+    check_leaf, check_contact, above_corner == a leaf and a witness of a certificate in doubles
+    orbit_at_most, orbit_at_least           == the counts of an orbit in doubles *)
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Interval.Float.
 From Dumbbell Require Import TwoOrbits.

@@ -1,6 +1,10 @@
 (** A box of floating-point numbers around an exact one, whose mass ratio q becomes r = 1/q.
   How it is found is not trusted: its ends
-    are compared with the exact ones, without any rounding. *)
+    are compared with the exact ones, without any rounding.
+
+    V                == a floating-point number's value
+    fbox, inside     == such a box; a point (e, y, r) is in it
+    round_box, boxed == one that may hold an exact box; that it does *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Flocq Require Import Core.Zaux.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig.

@@ -1,5 +1,10 @@
 (** L15 with intervals: the states that leave the wall R between a lowest and a highest one, followed until none can
-    collide again; and the rays out of the bridge. Generic in the numbers. *)
+    collide again; and the rays out of the bridge. Generic in the numbers.
+
+    turn                 == an angle's sine and cosine
+    at_most_contact      == computed: the ray out of a contact with the bridge has at most n collisions
+    above, last_contact  == computed: a flight is above the bridge; where it meets it at the latest
+    follow, follow_sound == computed: states between two have at most n later collisions, by L15; and it is so *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Ray Chart Forward BoundingRays FewHits Leaves.

@@ -1,5 +1,8 @@
 (** What a leaf of the section full must satisfy (docs/reference/format-sections.md, sections 1 and 2), computed with
-    intervals, and that it is enough: L15, or L16, over a whole box. Generic in the numbers. *)
+    intervals, and that it is enough: L15, or L16, over a whole box. Generic in the numbers.
+
+    chart_holds                  == what a chart's leaf says of a point (e, y, r): at most U collisions
+    check_leaf, check_leaf_sound == a leaf of any chart is right; then it holds all over its box *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Ray Chart Forward Certificate Leaves PlainCount.

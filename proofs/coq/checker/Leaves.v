@@ -1,5 +1,10 @@
 (** What a leaf and a witness of a certificate must satisfy (docs/reference/format.md, sections 3.3 to 3.6), computed
-    with intervals, and that it is enough: L8 (a), (b), L9, L10 and L11 over a whole box. Generic in the numbers. *)
+    with intervals, and that it is enough: L8 (a), (b), L9, L10 and L11 over a whole box. Generic in the numbers.
+
+    most_steps, fuel                         == the most collisions that are counted; a hint as a number of steps
+    bridge_holds, light_holds                == what a leaf of the two charts says of a point
+    check_reason, check_contact, above_corner == a leaf, a witness is right, computed
+    check_bridge_sound, check_light_sound, check_contact_sound == and what it says is so, all over its box *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.Raux Core.Zaux.

@@ -1,6 +1,10 @@
 (** The checker of leaves with more bits than a double has: the same functor over big integers.
   The guesses begin with those of
-    Doubles.v, and are made better step by step; they are not trusted. *)
+    Doubles.v, and are made better step by step; they are not trusted.
+
+    G, precision                            == the guesses; so many bits
+    check_leaf, check_contact, above_corner == a leaf and a witness of a certificate with so many bits
+    orbit_at_most, orbit_at_least           == the counts of an orbit with so many bits *)
 From Coq Require Import ZArith List Floats Bool.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Float.Specific_ops Float.Specific_bigint
   Interval.Float.

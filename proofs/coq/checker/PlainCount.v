@@ -1,6 +1,9 @@
 (** L16 with intervals: all states of a box together, each formula evaluated over them
     (docs/reference/format-sections.md, section 2). Only the least root of sin x = c + k x is bounded by those for the
-    ends of c and k. Generic in the numbers. *)
+    ends of c and k. Generic in the numbers.
+
+    plain_ray, plain_ray_sound       == computed: the rays of a box have at most n collisions; and it is so
+    plain_follow, plain_follow_sound == the same of the states after a collision *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Ray Chart Forward BoundingRays FewHits ForwardCount.

@@ -1,6 +1,10 @@
 (** Reads a certificate, line by line. Nothing is believed of it: what was read is written again (Text.v) and compared
   with the file, so
-    that this reader can only refuse. *)
+    that this reader can only refuse.
+
+    natural, ratio_of == a number, a fraction, from its text
+    judge, answer     == the verdict on the lines of a file
+    verified_text     == what is Verified is a certificate whose text these lines are, and has no fault *)
 From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
 From Dumbbell Require Import Certificate Leaves Doubles Check Text.
 Import ListNotations.

@@ -1,5 +1,8 @@
 (** Sine and cosine faster than the library's: Taylor's polynomial by Horner's rule, in intervals, on [-0.8, 0.8]; Count.v
-    doubles the angle up to twice that. *)
+    doubles the angle up to twice that.
+
+    tab, mktab == the polynomial's coefficients as intervals
+    sinT, cosT, sinT_in, cosT_in == sine and cosine of intervals within [-0.8, 0.8]; they enclose *)
 From Coq Require Import Reals ZArith Lra List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full

@@ -1,6 +1,10 @@
 (** How a certificate is written in lines (docs/reference/format.md, sections 1 to 3; format-sections.md, its table and
     section 1): [file_text c sha256] are its lines. This is the relation between a file and what it says;
-    Reader.v only looks for the c. *)
+    Reader.v only looks for the c.
+
+    file_text               == the lines of a certificate
+    ratio_text, dyadic_text == of numbers
+    canonical               == its words can be read back: no second certificate has the same lines *)
 From Coq Require Import ZArith NArith List Bool String Ascii DecimalString DecimalN.
 From Dumbbell Require Import Certificate Check.
 Import ListNotations.

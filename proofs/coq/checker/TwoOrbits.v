@@ -1,5 +1,9 @@
 (** Whether one of the two orbits of Theorem 1 (exact/Orbits.v) collides n times, at one mass ratio: computed with
-    intervals from one end of an enclosure of r = 1/q, that it is so and that it is not. Generic in the numbers. *)
+    intervals from one end of an enclosure of r = 1/q, that it is so and that it is not. Generic in the numbers.
+
+    orbit, collides                          == the top orbit or the corner orbit; it has n collisions at a given r
+    orbit_at_most, orbit_at_least            == computed: at most, at least n, at a given ratio
+    orbit_at_most_sound, orbit_at_least_sound == and it is so *)
 From Coq Require Import Reals ZArith NArith Lra Lia List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Ray Certificate FullLeaves.

@@ -1,5 +1,10 @@
 (** The theorems about motions on any stretch of time, and into corners: no motion has more than N(q) collisions;
-    every state in flight has one whole motion. L40, and what `proofs/claim.md` says of corners. *)
+    every state in flight has one whole motion. L40, and what `proofs/claim.md` says of corners.
+
+    stretch_at_most, through_at_most     == on any stretch of time, and through corners: at most N(q) collisions
+    corner_at_most, corner_counts_as_two == up to a corner at most (N(q) - 2)/2; besides one at most N(q) - 2
+    whole_motion, no_accumulation_at_end == a state's greatest motion, and where it ends
+    one_naming                           == the lighter mass may be called m1 *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Collisions Symmetry Exchange.

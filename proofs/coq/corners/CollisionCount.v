@@ -1,5 +1,9 @@
 (** How many collisions a motion on a stretch of time has: none more than N(q); up to a corner at most (N(q) - 2)/2,
-    by L40 (a), 2 + 2 k1 <= N(q). *)
+    by L40 (a), 2 + 2 k1 <= N(q).
+
+    stretch_few                          == a motion on a stretch has at most N(q) collisions
+    into_corner_coll, out_of_corner_coll == up to a corner, or after one, no more than the corner orbit
+    corner_bound                         == 2 + k1 + k1 <= N(q) *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Flight Symmetry Existence Orbits Attained.

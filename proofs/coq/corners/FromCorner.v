@@ -1,5 +1,8 @@
 (** L40 (a): a motion that comes out of a corner lasts for all later times, meets no other corner, and has at most k1
-    = G(pi r, r, r) collisions. *)
+    = G(pi r, r, r) collisions.
+
+    from_corner == what leaves a corner has few later collisions, and meets no other corner
+    corner_flat == in a corner the rod lies on the floor *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture OneFlight EveryState.

@@ -1,6 +1,9 @@
 (** L4, L5 (d) for half motions: what begins as the flight of a ray (c, k), and obeys the law at all later times, has
     no more collisions than the ray: F <= G. `Follow.v` says so of motions for all times; here nothing is known of the
-    past. *)
+    past.
+
+    future_count           == a half motion out of a ray has at most the ray's collisions
+    later_from, later_near == later collisions from a list of times, and of two paths that agree *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Dumbbell Require Import Physics Ray StartRay Flight Collisions Symmetry Existence RayFuture Determinism.
 Local Open Scope R_scope.

@@ -2,7 +2,14 @@
     have both masses on the floor. Here a path need obey the law only at the times of an open stretch (a, b), where a
     and b are times or infinite; what it is outside is not looked at. So a motion may begin in a corner (both masses
     on the floor), end in one, or simply be watched for a while. The theorems are in `AnyMotion.v`; on paper they are
-    L40. *)
+    L40.
+
+    within, obeys, motion_within             == a time is in (a, b); the law at a time; a motion at the times of (a, b)
+    at_most_within                           == at most N collisions in (a, b)
+    flies_to, flies_from                     == flies freely just before T, just after T, and to or from that state
+    both_down, ends_in_corner, begins_in_corner == both masses on the floor, at one end of the stretch
+    whole                                    == a motion on (a, b) that goes on until it meets a corner, if at all
+    motion_through                           == a motion that may pass through corners *)
 From Coq Require Import Reals List.
 From Coquelicot Require Import Rbar.
 From Dumbbell Require Import Statement.

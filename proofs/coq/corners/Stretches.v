@@ -1,5 +1,10 @@
 (** Motions on stretches of time: they are local, may be reversed and shifted, and are determined by their state at
-    one time of the stretch. L40 (a): one that runs into a corner is, backwards, the half motion of `FromCorner.v`. *)
+    one time of the stretch. L40 (a): one that runs into a corner is, backwards, the half motion of `FromCorner.v`.
+
+    motion_reverse, motion_shift, within_reverse, within_near == stretches reversed, shifted; paths that agree on them
+    motion_everywhere == a motion is one on (-oo, +oo)
+    state_within, determined_within == the state at a time of the stretch; it determines the motion there
+    into_corner == L40 (a): what runs into a corner is, backwards, a half motion out of it *)
 From Coq Require Import Reals Lra List FinFun.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Flight Symmetry Existence OneFlight.

@@ -1,5 +1,9 @@
 (** L40 (a) for motions that pass through a corner, whatever velocity they leave it with: no other corner before or
-    after it, and at most N(q) - 2 collisions besides; a dumbbell at rest in a corner stays there. *)
+    after it, and at most N(q) - 2 collisions besides; a dumbbell at rest in a corner stays there.
+
+    only_corner       == a motion that is not at rest meets one corner at most
+    corner_counts_two == besides a corner it has at most N(q) - 2 collisions
+    through_few       == in all at most N(q) *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Symmetry Existence RealInduction OneFlight Determinism.

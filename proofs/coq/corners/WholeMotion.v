@@ -1,6 +1,10 @@
 (** Every state has a whole motion, which lasts for ever or until it runs into a corner, and the same backwards; it
     contains every other motion through the state; it has a corner at one end only (L40 (a)); collisions do not
-    accumulate. *)
+    accumulate.
+
+    whole_exists, whole_contains, whole_around == a state has a whole motion, which contains any other through it
+    settles_at_end == at the end of a stretch the motion flies freely: collisions do not accumulate
+    one_corner == L40 (a): a corner at one end at most *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Symmetry Existence OneFlight EveryState.

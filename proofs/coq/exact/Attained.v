@@ -1,4 +1,8 @@
-(** L25: contacts with the bridge near a corner, or near its top, are witnesses of 2 + k0 + k1 collisions. *)
+(** L25: contacts with the bridge near a corner, or near its top, are witnesses of 2 + k0 + k1 collisions.
+
+    maximum_witness  == a witness of 2 + k0 + k1 collisions
+    at_least_2_k0_k1 == some motion has as many
+    four_near        == four continuous functions are near their values at 0 at the same t > 0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart EqualMasses WitnessMotion Orbits Openness.

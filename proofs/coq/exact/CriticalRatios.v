@@ -1,5 +1,9 @@
 (** Theorem 2 (b) and the first half of (d): for each N >= 3 there is exactly one critical ratio q_c(N) >= 1 with
-    N(q) >= N iff q > q_c(N); at it N(q_c(N)) = N - 1; they increase strictly; q_c(3) = 1. *)
+    N(q) >= N iff q > q_c(N); at it N(q_c(N)) = N - 1; they increase strictly; q_c(3) = 1.
+
+    critical N qc                            == qc is q_c(N): N(q) >= N if and only if q > qc
+    theorem_2b, critical_unique, critical_increasing == there is exactly one; they increase
+    N_at_critical                            == N(q_c(N)) = N - 1 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Maximum Orbits Openness ExactMaximum Monotone Trade.

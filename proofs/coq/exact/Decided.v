@@ -1,5 +1,9 @@
 (** What is decided without a certificate (checker/Decide.v) is true, for every real mass ratio of the range: by
-    Theorem 1, as counts of one orbit, and by Theorem 2 (a), as N grows with q. *)
+    Theorem 1, as counts of one orbit, and by Theorem 2 (a), as N grows with q.
+
+    decided_by_orbits, found_true, found_false == what is computed of a claim is true
+    reaches_sound, answers_ok                == N(q) >= n or not, as one orbit says
+    says, in_range                           == what a claim says, of which ratios *)
 From Coq Require Import Reals ZArith NArith Bool Lra Lia.
 From Dumbbell Require Import Physics Maximum EqualMasses Range Orbits ExactMaximum Monotone.
 From Dumbbell Require Import Certificate Leaves TwoOrbits Doubles Multiple Check Decide.

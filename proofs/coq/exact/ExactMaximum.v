@@ -1,5 +1,9 @@
 (** Theorem 1 (a) of theorem.md: N(q) = 2 + k0 + k1 for every q >= 1, where k0 and k1 count the collisions of two
-    explicit rays (Orbits.v). *)
+    explicit rays (Orbits.v).
+
+    theorem_1                  == Theorem 1 (a): N(q) = 2 + k0 + k1
+    N_at_least                 == N(q) >= N, as a sentence about q and N
+    odd_by_top, even_by_corner == N(q) >= 1 + 2 k if the top orbit has k collisions; 2 + 2 k by the corner orbit *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Physics Ray Maximum Orbits UpperBound Attained.
 Local Open Scope R_scope.

@@ -1,5 +1,8 @@
 (** L30 (a), (b) and Theorem 3 (c): k collisions of the top orbit need q > 1 + pi k (k - 1), of the corner orbit q >
-    pi k^2; so N(q) < 2 + 2 sqrt(q/pi). The rates of L27 are not needed, only that slopes grow by 2 r (L5 (f)). *)
+    pi k^2; so N(q) < 2 + 2 sqrt(q/pi). The rates of L27 are not needed, only that slopes grow by 2 r (L5 (f)).
+
+    L30a_top, L30b_corner == how large q is if an orbit has k + 1 collisions
+    theorem_3c            == N(q) < 2 + 2 sqrt (q/pi) *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Orbits ExactMaximum CriticalRatios.

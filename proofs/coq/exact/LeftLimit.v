@@ -1,6 +1,8 @@
 (** L29: a count ends in a tangency. If rays below (c, k), arbitrarily near and at ratios arbitrarily near below r,
     have n collisions, then (c, k) has n, or a flight of it is tangent to the hump. With Tangency.v this gives
-    Theorem 2 (c). *)
+    Theorem 2 (c).
+
+    theorem_2c_odd, theorem_2c_even == a ratio is critical if and only if a flight of an orbit is tangent to the hump *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray FewHits Maximum Orbits Openness ExactMaximum Monotone CriticalRatios Tangency.

@@ -1,4 +1,8 @@
-(** Theorem 2 (a): N does not decrease with q, and exceeds every bound; L30 (c). *)
+(** Theorem 2 (a): N does not decrease with q, and exceeds every bound; L30 (c).
+
+    N_monotone, N_unbounded == Theorem 2 (a)
+    top_mono, corner_mono   == a smaller r takes no collision from the orbits
+    L30c_corner             == the corner orbit has n collisions if r is small *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Orbits ExactMaximum.

@@ -1,6 +1,9 @@
 (** L24: a motion in which the heavy mass never hits the floor has at most 1 + k0 + k1 collisions. Out of a turning
     collision a ray to the left passes over the top of the bridge, so that it is at least the top orbit; and of two
-    such rays one has a slope of at least r (L23), so that it is at least the corner orbit. *)
+    such rays one has a slope of at least r (L23), so that it is at least the corner orbit.
+
+    L24_no_heavy                == at most 1 + k0 + k1 collisions
+    above_bridge, clears_bridge == such a motion is above the bridge, at all times and along its rays *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal.

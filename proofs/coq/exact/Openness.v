@@ -1,6 +1,10 @@
 (** L20: a count never drops suddenly. A ray with n collisions keeps them when c, k and r are raised a little; by L5
     (d) so does every ray below the raised one, so that {G >= n} is open. One parameter t moves everything: the
-    point at which the raised ray is below the wall is x + t. *)
+    point at which the raised ray is below the wall is x + t.
+
+    share                     == the part of a raise by which the point of collision may move
+    L20_raise                 == a ray with n collisions keeps them when c, k, r are raised a little
+    positive_near, close_near == what continuity says near 0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

@@ -1,6 +1,11 @@
 (** The two orbits whose counts give the maximum (theorem.md, Theorem 1, L21): the horizontal ray (r, 0) over the
     top of the bridge, with k0 collisions, and the ray (pi r, r) out of a corner along the bridge's tangent, with
-    k1. Both counts exist, and k1 <= k0 <= 1 + k1. *)
+    k1. Both counts exist, and k1 <= k0 <= 1 + k1.
+
+    top_orbit q n, corner_orbit q n == n is k0, is k1: the orbit's number of collisions
+    orbits_exist, L21_counts        == both exist; k1 <= k0 <= 1 + k1
+    exactly, exactly_max            == the ray has n collisions and no more
+    inv_ratio                       == 0 < 1/q <= 1 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray FewHits.

@@ -1,5 +1,10 @@
 (** Theorem 3 (a): N(q) <= ceil(pi/gamma) for every q >= 1, gamma = pi - 2 atan(sqrt q), so that the published bound
-    ceil(pi/gamma) + 1 is attained at no q; with L28 (in the form kappa < 1/pi) and L31. *)
+    ceil(pi/gamma) + 1 is attained at no q; with L28 (in the form kappa < 1/pi) and L31.
+
+    gamma          == pi - 2 atan (sqrt q), the angle of the wedge
+    is_ceiling x m == m is the least whole number not below x
+    N_times_gamma  == (N(q) - 1) gamma < pi
+    theorem_3a     == N(q) <= ceil (pi/gamma) *)
 From Coq Require Import Reals Machin Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Orbits ExactMaximum.

@@ -1,5 +1,9 @@
 (** Theorem 2 (c), one half, and (d): if a flight of an orbit is tangent to the hump, the ratio is critical; and
-    q_c(4) = sqrt(1 + x^2), x the root of tan x = x between pi and 3 pi / 2. *)
+    q_c(4) = sqrt(1 + x^2), x the root of tan x = x between pi and 3 pi / 2.
+
+    state r n c k c' k'                      == the ray (c, k) is the ray (c', k') after n collisions
+    tangent c k                              == the ray touches the hump, and does not cross it
+    tangent_top_critical, tangent_corner_critical == Theorem 2 (c), from a tangency to the critical ratio *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Orbits Openness ExactMaximum CriticalRatios.

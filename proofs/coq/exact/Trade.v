@@ -1,6 +1,8 @@
 (** A ray that is lower and flatter may have a larger r: a gap d in height and slope is worth a fixed part of d in
     the mass ratio, the same for all rays. It replaces the derivatives of L27 and the limits of L29 in the proof
-    that the critical ratios increase strictly. *)
+    that the critical ratios increase strictly.
+
+    trade == a ray that is lower and flatter by d has as many collisions at a ratio r + p *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

@@ -1,4 +1,6 @@
-(** At most 2 + k0 + k1 collisions: L22 with a contact on the bridge, L24 without one. *)
+(** At most 2 + k0 + k1 collisions: L22 with a contact on the bridge, L24 without one.
+
+    at_most_2_k0_k1 == at most 2 + k0 + k1 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions HeavyTotal Orbits NoHeavy.

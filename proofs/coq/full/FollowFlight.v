@@ -1,6 +1,9 @@
 (** L15 (ii) and (c), and a contact's slope (L16), for the motion: a flight that leaves the wall R to the left has at
     most the later collisions that `forward` counts: it meets the bridge, and then a ray out of the bridge bounds it
-    (to the right it is steep), or the other wall, which it leaves as from R, seen in the mirror. *)
+    (to the right it is steep), or the other wall, which it leaves as from R, seen in the mirror.
+
+    leaves_R                   == a state at which the light mass has just left the wall R
+    L15_follow, contact_follow == `forward` counts its later collisions; and those after a contact with the bridge *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart SteepRays Forward.
 Local Open Scope R_scope.

@@ -1,5 +1,7 @@
 (** L15 (i), and the whole: the charts of all collision states bound every motion. The first collision is, up to the
-    mirror and whole turns, a state of the chart contact or departure, or has none after it. *)
+    mirror and whole turns, a state of the chart contact or departure, or has none after it.
+
+    full_upper == bounds in the charts contact and departure bound every motion *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Statement Physics Ray Chart Flight Collisions Symmetry NormalPosition BridgeChart
   SteepRays TurningCollision Forward FollowFlight.

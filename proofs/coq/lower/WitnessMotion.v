@@ -1,5 +1,8 @@
 (** L11: out of a contact with the bridge in the chart bridge (L8 (3) read backwards; L6 (a), (c)) there is a motion for
-    all times with at least the collisions of the two rays; so a witness proves a lower bound. *)
+    all times with at least the collisions of the two rays; so a witness proves a lower bound.
+
+    bridge_motion == a point of the chart bridge is a motion with the collisions of its two rays
+    charts_lower  == so a witness is a lower bound *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry Existence StartRay BridgeRays RayFuture.

@@ -1,5 +1,8 @@
 (** L8 (3) for the dumbbell: out of a contact with the bridge at psi = pi/2 - e the rays X and sigma X are those of the
-    chart bridge at the point (e, eta). Used both ways: for the upper bound (L8) and for the witness (L11). *)
+    chart bridge at the point (e, eta). Used both ways: for the upper bound (L8) and for the witness (L11).
+
+    bridge_slopes              == the slopes of the rays before and after a contact with the bridge
+    bridge_out_X, bridge_out_S == out of the contact the dumbbell flies as the ray X, and backwards as sigma X *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics Chart Flight StartRay.
 Local Open Scope R_scope.

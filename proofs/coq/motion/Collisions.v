@@ -1,5 +1,11 @@
 (** Collisions of a motion: each changes the velocity by the law (1) of L0, there is a first one after any time, and n +
-    1 later ones are one and n later than that. *)
+    1 later ones are one and n later than that.
+
+    collision_law                      == at a collision the velocity is reflected by law (1)
+    first_collision, no_collision_soon == there is a first one after any time, and none for a while
+    later p t n                        == there are n collisions after the time t; later_next: one, and n - 1 after it
+    no_heavy                           == the heavy mass never hits the floor
+    after_unique                       == there is one velocity after a time *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics RealInduction LaterTimes Ray Flight.

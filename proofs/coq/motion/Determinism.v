@@ -1,5 +1,8 @@
 (** Determinism: two paths that obey the law on a stretch of time and have the same state at its beginning agree on it;
-    so a motion is determined for all later times by its state. *)
+    so a motion is determined for all later times by its state.
+
+    agree, agree_at == two paths with one state at a time agree later, as long as both obey the law
+    must_turn       == a mass that touches the floor does not go on downwards *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics RealInduction Flight Collisions Symmetry Existence.
 Local Open Scope R_scope.

@@ -1,7 +1,11 @@
 (** Every state has a motion: out of each state from which no mass goes down through the floor there is a motion for all
     later times, or one into a corner (both masses on the floor), where regular motions end. It goes flight by flight
     (OneFlight.v); by L6 the heavy mass is met at most once, and slopes grow (L5 (f)), so that the flights end. On
-    paper: the definition of a trajectory in claim.md. *)
+    paper: the definition of a trajectory in claim.md.
+
+    outcome, every_state == a motion for all later times, or one into a corner; each state has the one or the other
+    runs_into_corner     == a state whose motion ends in a corner
+    every_flight         == states in flight have a motion for all times, or run into a corner *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Chart Flight Symmetry Existence StartRay RayFuture OneFlight.

@@ -1,6 +1,12 @@
 (** What a motion is built of: the law at one time (`lawful`), paths that agree near a time, shifted, mirrored, reversed
     and glued paths, a free flight (`line`), and that the floor has an answer to every mass that comes in. The
-    definition of a trajectory in claim.md; L0. *)
+    definition of a trajectory in claim.md; L0.
+
+    lawful p t                        == the law at the time t; lawful_motion: everywhere, and the path is a motion
+    near, near_lawful, near_collision == paths that agree near a time
+    shift, glue                       == a path later; one path up to T and another from then on
+    line, free                        == the free flight out of a state; a state above the floor
+    push_exists                       == the floor has an answer to every mass that comes in *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Symmetry.

@@ -1,5 +1,11 @@
 (** From the motion to flights: between two collisions the dumbbell moves uniformly. In the coordinates (psi, yhat) of
-    L0: the reflection law (1) at the two walls, L2 (a), L3 for the motion, contacts. *)
+    L0: the reflection law (1) at the two walls, L2 (a), L3 for the motion, contacts.
+
+    r_of, u_of, v_of                         == r = arm2/arm1, psi', yhat'
+    on_line, straight_flight                 == between collisions the motion is a straight line
+    reflects, L0_reflection1, L0_reflection2 == law (1); a push is law (1), at the slopes slope1 and slope2 of the walls
+    floor1, contact1, contact2               == the walls in the coordinates psi, yhat
+    L3_steep_no_collision                    == L3 *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics RealInduction.
 Local Open Scope R_scope.

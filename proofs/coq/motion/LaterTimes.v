@@ -1,4 +1,7 @@
-(** Times at which something happens, with a first one after any time: n + 1 after t0 are one, and n after that. *)
+(** Times at which something happens, with a first one after any time: n + 1 after t0 are one, and n after that.
+
+    later_times C t n == there are n times after t at which C holds
+    later_times_next  == if there is a first one after any time: one, and n - 1 after it *)
 From Coq Require Import Reals Lra Lia List.
 Import ListNotations.
 Local Open Scope R_scope.

@@ -1,5 +1,9 @@
 (** The normal position of a collision of the light mass: seen from a suitable side it is on the wall R, at psi = pi/2 +
-    e with 0 < e <= pi/2 (the "up to the mirror and whole turns" of L9). *)
+    e with 0 < e <= pi/2 (the "up to the mirror and whole turns" of L9).
+
+    on_R                                   == a contact of the light mass on the wall R, at psi = pi/2 + e
+    normal_position, heavy_normal_position == any collision is one, from a suitable side; of the heavy mass, too
+    cell_position                          == psi in [0, pi], seen from a suitable side *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Dumbbell Require Import Physics Flight Collisions Symmetry.
 Local Open Scope R_scope.

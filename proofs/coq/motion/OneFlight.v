@@ -1,5 +1,9 @@
 (** One flight: out of a state from which no mass goes down through the floor, the free flight goes on for ever, or it
-    comes to a collision, or to a corner (both masses on the floor). L0, claim.md (trajectory). *)
+    comes to a collision, or to a corner (both masses on the floor). L0, claim.md (trajectory).
+
+    above_floor, corner == a state of the floor or above; both masses on the floor
+    leaves, hits        == no mass goes down through the floor; a mass comes in
+    one_flight          == what comes of a free flight *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics RealInduction Existence.

@@ -1,6 +1,10 @@
 (** The future of a ray: G <= F, the converse of Follow.v. Out of a state that is a ray (StartRay.v) there is a half
     motion for all later times with as many collisions as the ray has (L4). Built flight by flight, by induction on the
-    bound of L5 (f); behind the peak of a hump nothing is met again (L1 (b)). *)
+    bound of L5 (f); behind the peak of a hump nothing is met again (L1 (b)).
+
+    future          == a half motion out of a state
+    ray_future      == out of a ray, with all of the ray's collisions
+    over, over_free == a point behind the left corner and above the hump there is in free flight *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray FewHits Flight Collisions Symmetry Existence StartRay.

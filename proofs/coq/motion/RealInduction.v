@@ -1,6 +1,8 @@
 (** Induction over an interval of real numbers, by the least upper bound: what holds at its beginning, goes on for a
     while from wherever it has held so far, and holds at the end of each stretch on which it has held, holds on all of
-    it. *)
+    it.
+
+    real_induction == induction over [a, b] *)
 From Coq Require Import Reals Lra.
 Local Open Scope R_scope.
 

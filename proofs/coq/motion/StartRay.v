@@ -1,5 +1,9 @@
 (** A state in flight to the left as a ray (c, k) over the left corner: what starts above everything that lies before
-    the left wall (L4); out of a contact with the bridge, L6; out of a bounce off a light wall, L4 (b), L6 (b). *)
+    the left wall (L4); out of a contact with the bridge, L6; out of a bounce off a light wall, L4 (b), L6 (b).
+
+    start_ray P s v c k              == the state flies as the ray (c, k)
+    bridge_start_ray, next_start_ray == so it does out of a contact with the bridge, and after a collision
+    mirror_pos                       == a position in the mirror *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics Ray Flight Symmetry.
 Local Open Scope R_scope.

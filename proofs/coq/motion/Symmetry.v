@@ -1,5 +1,9 @@
 (** The symmetries of L0: the mirror, reversal of time (sigma), whole turns of the rod; as a relation `same`: the same
-    motion seen from another side. A motion and its image have the same collisions. *)
+    motion seen from another side. A motion and its image have the same collisions.
+
+    mirror, reverse, turn                    == paths in the mirror, backwards in time, turned by whole turns
+    mirror_motion, reverse_motion, collision_mirror, collision_reverse == motions and collisions remain what they are
+    same, same_at_most, same_later           == the same motion seen from another side; it has the same collisions *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Flight Collisions.

@@ -1,6 +1,11 @@
 (** L15 (a) to (c), one step of the lowest and of the highest ray: bounds of a state's x and k bound its flight, and its
     next state. A contact with the bridge comes before any T with r cos T <= k of the lowest ray, or at which the
-    highest ray is below the bridge; the tangent ray at T bounds what is later. *)
+    highest ray is below the bridge; the tangent ray at T bounds what is later.
+
+    lower                                  == a state below another: in height and slope
+    L15a_height, L15a_lowest, L15a_highest == a lower state flies lower, and is lower after a collision
+    L15b_before, L15b_none, L15b_met       == before which point a contact with the bridge is, or that there is none
+    L15c_contact                           == the tangent ray bounds what comes after a contact *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray Chart Forward.
 Local Open Scope R_scope.

@@ -1,5 +1,11 @@
 (** L8 (a), (b), L9 (a), (b): the rays of the two charts, and how they change with e, eta, lambda and the ratio.
-    What a cover has to show (`bridge_bound`, `light_bound`), and what a witness is. *)
+    What a cover has to show (`bridge_bound`, `light_bound`), and what a witness is.
+
+    lamX, cX, lamS, cS                       == the rays X and sigma X of the chart bridge, but for a factor r
+    cL, mu                                   == the rays of the chart light
+    bridge_bound, light_bound                == all points of a chart have at most U collisions
+    bridge_witness                           == a point of the chart bridge has at least V
+    cX_mono, lamX_mono, cS_mono, lamS_mono, mu_mono == how the rays change with e, eta, lambda and r *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray.
 From Dumbbell Require Export Descending.

@@ -1,6 +1,8 @@
 (** L10: descending rays (r c, r lambda), lambda < 0, have fewer collisions at greater r. The first hit moves to the
     right as r grows; seen as a function of the hit t, r is sin t / (c - a t), a = - lambda, and 1 / kappa' falls along
-    it. After the first hit L5 (d) does the rest. *)
+    it. After the first hit L5 (d) does the rest.
+
+    L10_descending_rays == a descending ray has as many collisions at a smaller r *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

@@ -1,5 +1,8 @@
 (** L4 (a): the hit of a ray is unique. L5 (f): slopes grow by 2 r at least from hit to hit, and a ray of slope 1 hits
-    nothing, so that a ray has few hits. *)
+    nothing, so that a ray has few hits.
+
+    hit_unique                               == a ray has one first hit
+    L5f_bounded, L5f_bounded_below_zero, L5f_few_both == so many collisions and no more, as slopes grow by 2 r *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray.

@@ -1,5 +1,11 @@
 (** L15, the counts: the later collisions of a state that leaves the wall R, and what a cover of all first collisions
-    has to show. No physics. A steep flight has no later collision; one steeper than the bridge is a ray. *)
+    has to show. No physics. A steep flight has no later collision; one steeper than the bridge is a ray.
+
+    height_at                      == the height of a state's flight at an angle t
+    meets_bridge, clears_bridge    == it comes down on the bridge at t; it does not
+    contact_num, contact_den       == the slope after a contact with the bridge, as a fraction
+    forward r n x k                == the state at x with the slope k may have n later collisions
+    contact_bound, departure_bound == all points of the two charts have at most U *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Ray Chart.
 Local Open Scope R_scope.

@@ -4,7 +4,11 @@
     th), from mass 2 to mass 1. At an instant the floor gives the masses the vertical impulses J1, J2 (one of which is
     0), and the massless rod gives them opposite impulses along itself, K and - K. Then the centre of mass keeps its
     horizontal velocity, and the others change as [push] says; and each such change is made by a K. The energy of the
-    two masses is that of [energy] and of the horizontal motion. *)
+    two masses is that of [energy] and of the horizontal motion.
+
+    newton == Newton's law at an impulse of the floor and of the rod; vel_of: the statement's velocity
+    newton_push1, newton_push2, push1_newton, push2_newton == it makes the pushes of the statement, and all of them
+    kinetic_energy == the masses' energy is the statement's, and that of the horizontal motion *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Physics.
 Local Open Scope R_scope.

@@ -2,7 +2,14 @@
     read beside proofs/claim.md.
 
     Two point masses at the ends of a rigid massless rod, in a vertical plane, above a flat, frictionless, elastic floor
-    at height 0; no gravity. The horizontal motion of the centre of mass is uniform and left out. *)
+    at height 0; no gravity. The horizontal motion of the centre of mass is uniform and left out.
+
+    dumbbell, pos, vel               == two masses and a rod; its height and angle; their velocities
+    y1, y2, w1, w2, energy           == heights and vertical velocities of the masses, kinetic energy
+    push, push1, push2               == what the floor does to a velocity, by an impulse on a mass
+    motion, before, after            == a path that obeys the law; its velocity just before, just after a time
+    collision, at_most, at_least     == a mass comes in; so many times and no more; so many times
+    upper_bound, lower_bound, N_star == for all dumbbells of a ratio; N_star q N: N(q) = N *)
 From Coq Require Import Reals List.
 Local Open Scope R_scope.
 

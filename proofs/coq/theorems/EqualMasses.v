@@ -1,5 +1,7 @@
 (** L7, from the charts: N*(1) = 2. At r = 1 a ray with slope >= 0 has at most one collision, one with slope >= -1 at
-    most one (the next slope is >= 1), and X of the chart bridge, sigma X of the chart light have none. *)
+    most one (the next slope is >= 1), and X of the chart bridge, sigma X of the chart light have none.
+
+    L7_equal_masses, equal_witness == N(1) = 2, and its witness *)
 From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import Statement Ray Chart LightTotal WitnessMotion.
 Local Open Scope R_scope.

@@ -1,5 +1,9 @@
 (** The masses exchanged and the rod turned by pi: N(1/q) = N(q), "q < 1 is the same system with the masses renamed"
-    (claim.md). *)
+    (claim.md).
+
+    swap, swap_dumbbell         == a path, a dumbbell with the masses renamed
+    swap_motion, swap_collision == motions and collisions remain what they are
+    N_inverse                   == N(1/q) = N(q) *)
 From Coq Require Import Reals Lra List.
 From Dumbbell Require Import Statement.
 Local Open Scope R_scope.

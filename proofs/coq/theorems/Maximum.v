@@ -1,5 +1,7 @@
 (** L2 (c) with its number: fewer than q + 5 collisions; hence N(q) exists, and is unique (claim.md, "a maximum, not
-    only a supremum"). No certificate is used. *)
+    only a supremum"). No certificate is used.
+
+    N_exists, N_unique == N(q) exists, below q + 5; there is only one *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Statement FewHits Chart Flight Scaling LightTotal WitnessMotion.

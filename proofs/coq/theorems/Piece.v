@@ -1,7 +1,10 @@
 (** From a certificate to the physics: a piece in which the checker finds no fault bounds the number of collisions of
   every motion of
     every dumbbell whose mass ratio lies in the piece, and such a motion with that many collisions exists (the Theorem
-      of lemmas.md). *)
+      of lemmas.md).
+
+    in_piece    == a mass ratio of the piece
+    piece_sound == an accepted piece bounds N(q) from both sides, for every q in it *)
 From Coq Require Import Reals ZArith NArith List Lra Lia Bool.
 From Dumbbell Require Import Physics Ray Chart Forward Certificate FullLeaves Doubles Multiple Check
   LightTotal FullTotal WitnessMotion EqualMasses Scaling Maximum.

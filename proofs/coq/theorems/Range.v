@@ -1,6 +1,9 @@
 (** A certificate of a range: accepted pieces that join without a hole say what N(q) is for every q of the range,
   and prove what was
-    asked of them. *)
+    asked of them.
+
+    demand_sound, summary_sound == what was asked, and what the file says, is true of every ratio of the range
+    upper_le, lower_le          == weaker bounds *)
 From Coq Require Import Reals ZArith NArith List Lra Lia Bool.
 From Dumbbell Require Import Physics Certificate Check Scaling Maximum Piece.
 Import ListNotations.

@@ -1,5 +1,9 @@
 (** Only the mass ratio matters: a motion of one dumbbell, scaled, is one of every other dumbbell of its ratio (claim.md
-    has length 1). There is a dumbbell of every ratio. *)
+    has length 1). There is a dumbbell of every ratio.
+
+    only_ratio               == a motion with n collisions of one dumbbell: so has every dumbbell of its ratio
+    unit_dumbbell, unit_real == a dumbbell of the ratio q
+    at_least_le              == at least n: at least m <= n *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics.
 Local Open Scope R_scope.

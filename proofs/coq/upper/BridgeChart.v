@@ -1,6 +1,9 @@
 (** L8, the main case, for the dumbbell: a contact with the bridge out of which the dumbbell goes left, with a
     slope below that of the chart's edge, is a point (e, eta) of the chart bridge; the two rays have at least
-    its collisions. *)
+    its collisions.
+
+    heavy_reflection == the velocities at a contact with the bridge
+    L8_bridge_left   == before and after it together at most U collisions, if it goes left and is not steep *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics Chart Flight Collisions Symmetry BridgeRays Follow.
 Local Open Scope R_scope.

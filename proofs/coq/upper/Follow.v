@@ -1,5 +1,10 @@
 (** F <= G: L1 (b), L4 and L6 (c) for the dumbbell. A flight to the left that clears what lies before the left wall has
-    at most as many later collisions as its ray. (That the ray has as many: RayFuture.v.) *)
+    at most as many later collisions as its ray. (That the ray has as many: RayFuture.v.)
+
+    ray P p t v c k          == at the time t the motion flies as the ray (c, k)
+    follow_ray               == it has at most the ray's collisions from then on
+    next_hit, reflects_hit   == its next collision is the ray's; the velocity after it
+    L1b_no_return, past_peak == behind the peak of the hump nothing is met again *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Ray Flight Collisions Symmetry StartRay.

@@ -1,5 +1,8 @@
 (** L8 complete: a motion in which the heavy mass hits the floor has at most as many collisions as the chart bridge
-    allows. The collisions are counted before and after that one. *)
+    allows. The collisions are counted before and after that one.
+
+    heavy_total == at most U collisions
+    count_split == the collisions before and after a time *)
 From Coq Require Import Reals Lra Lia List FinFun.
 From Dumbbell Require Import Statement Chart Flight Collisions Symmetry NormalPosition SteepRays.
 Local Open Scope R_scope.

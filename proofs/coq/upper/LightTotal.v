@@ -1,6 +1,8 @@
 (** L9, first part, for the dumbbell: a motion in which the heavy mass never hits the floor has at most as many
     collisions as the chart light allows, counted around a turning collision. With HeavyTotal.v: the charts bound every
-    motion, part (a) of the theorem of lemmas.md. *)
+    motion, part (a) of the theorem of lemmas.md.
+
+    charts_upper == bounds in the charts bridge and light bound every motion *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics Chart Flight Collisions Symmetry NormalPosition Follow SteepRays HeavyTotal

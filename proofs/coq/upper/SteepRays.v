@@ -1,5 +1,8 @@
 (** L3 and L8 (c): a steep flight has no later collision; a flight to the nearer side of the bridge has at most those of
-    the bridge's tangent; so every contact with the bridge is bounded by the chart bridge. *)
+    the bridge's tangent; so every contact with the bridge is bounded by the chart bridge.
+
+    L3_steep_no_later == a steep flight has no later collision
+    L8_bridge_contact == before and after any contact with the bridge together at most U collisions *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Physics Ray Chart Flight Collisions Symmetry StartRay Follow BridgeChart.
 Local Open Scope R_scope.

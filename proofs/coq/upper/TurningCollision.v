@@ -1,6 +1,10 @@
 (** L2 (c): a motion in which only the light mass hits the floor, if at all, has a turning collision, v_in <= 0 <=
     v_out. For an ascending flight has few later collisions (L5 (f)), and a descending one comes from, or runs into,
-    another collision. *)
+    another collision.
+
+    turning, L2c_turning_exists   == such a collision; there is one
+    light_ray, L1b_right_no_later == what leaves the wall R to the left is a ray; to the right it has no later collision
+    collision_law_on_R            == the velocities at a collision there *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Physics FewHits Flight Collisions Symmetry NormalPosition Follow.

@@ -1,6 +1,12 @@
 (** Statement: the billiards in the source paper's straight wedge and hybrid wedge (L17, L18), in the coordinates of L0:
     there the dumbbell is a point (psi, yhat) above a floor, with a kinetic energy proportional to psi'^2 + q yhat'^2.
-    Here the floor is made of two walls: one to the right, and its mirror image. Definitions only. *)
+    Here the floor is made of two walls: one to the right, and its mirror image. Definitions only.
+
+    point, wall, side == a point (psi, yhat) or its velocity; a wall's height and slope; right or left: 1 or -1
+    straight, hump == the two wedges
+    above, on, slope_at == above a wall, on it, its slope
+    push, energy, motion, collision == as in the statement
+    at_most, at_least, greatest == so many collisions and no more; so many; the greatest number *)
 From Coq Require Import Reals List.
 Local Open Scope R_scope.
 

@@ -1,5 +1,9 @@
 (** In a wedge whose walls are concave graphs: a collision changes the velocity by law (1) of L0, there is a first one
-    after any time, and up to it the point flies uniformly. *)
+    after any time, and up to it the point flies uniformly.
+
+    concave_wall                       == what is asked of a wall
+    collision_law, flight              == law (1) at a collision; up to it the point moves uniformly
+    first_collision, later, later_next == as in Collisions.v *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import RealInduction LaterTimes Wedge.
 Import ListNotations.

@@ -1,6 +1,9 @@
 (** L17, L18, the upper bounds: in a wedge whose walls are concave graphs with slopes between -1 and 1 every motion has
     at most ceil(pi/gamma) collisions. The walls are hit in turn, and each collision but the first and the last turns
-    the velocity by twice the angle of the wall with the vertical, which is at least gamma/2. *)
+    the velocity by twice the angle of the wall with the vertical, which is at least gamma/2.
+
+    wedge_at_most == at most N collisions, if pi/gamma <= N
+    gamma_range   == 0 < gamma < pi *)
 From Coq Require Import Reals Lra Lia List.
 From Dumbbell Require Import Wedge WedgeFlights PublishedBound.
 Import ListNotations.

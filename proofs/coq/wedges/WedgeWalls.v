@@ -1,5 +1,8 @@
 (** The walls of the two wedges are concave graphs with slopes between -1 and 1; the hump is below its tangent at the
-    corner, and agrees with it up to there. *)
+    corner, and agrees with it up to there.
+
+    straight_concave, hump_concave   == both wedges have such walls
+    hump_below_straight, hump_corner == the hump is below its tangent at the corner, and agrees with it up to there *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Ray Wedge WedgeFlights.

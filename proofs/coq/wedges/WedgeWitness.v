@@ -1,6 +1,8 @@
 (** L17, L18, the lower bounds: a motion with N collisions whenever (N - 1) gamma < pi. Unfolded it is a straight line
     at the distance 1 from the vertex, (t, 1) at the time t, in the direction atan t from there. It is folded into the
-    wedge and made small by the factor lam, so that it collides where the hybrid wedge agrees with the straight one. *)
+    wedge and made small by the factor lam, so that it collides where the hybrid wedge agrees with the straight one.
+
+    path, path_motion, path_at_least == the motion, with at least N collisions *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Wedge WedgeFlights PublishedBound WedgeUpper.

@@ -22,7 +22,9 @@ using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Mass;
 using dumbbell_oracle::Real;
 using dumbbell_oracle::State;
+using dumbbell_trace_test::holds;
 using dumbbell_trace_test::random_sides;
+using dumbbell_trace_test::random_start;
 using dumbbell_trace_test::Sides;
 using dumbbell_trace_test::uniform;
 
@@ -48,19 +50,10 @@ Box box_of(const Sides& sides, const Numbers& of) {
     return box;
 }
 
-bool holds(const TracedValue& value, Real x) {
-    const Real tolerance = 1e-11L * (1 + std::abs(x));  // of the simulation
-    return value.outward.lo() - tolerance <= x && x <= value.outward.hi() + tolerance;
-}
-
-State<Real> random_point(std::mt19937_64& engine, const Sides& s) {
-    return {uniform(engine, s.phi_lo, s.phi_hi), uniform(engine, s.phidot_lo, s.phidot_hi),
-            uniform(engine, s.y_lo, s.y_hi), uniform(engine, s.ydot_lo, s.ydot_hi)};
-}
-
 }  // namespace
 
 TEST_CASE("L77: starts of bodies have the collisions that are traced, and as many as a box of them says") {
+    const auto in = [](const TracedValue& value, Real x) { return holds(value, x, 1e-11L); };
     std::mt19937_64 engine(20261127);
     long checked = 0, exact = 0, boxes = 0;
     for (int i = 0; i < dumbbell_oracle::trials(1400); ++i) {
@@ -72,7 +65,7 @@ TEST_CASE("L77: starts of bodies have the collisions that are traced, and as man
         ++boxes;
         exact += leaf.most == leaf.least ? 1 : 0;
         for (int j = 0; j < 10; ++j) {
-            const State<Real> start = random_point(engine, sides);
+            const State<Real> start = random_start(engine, sides);
             const auto run = dumbbell_oracle::simulate(physical(numbers), start);
             if (run.care.doubtful()) {
                 continue;
@@ -88,9 +81,9 @@ TEST_CASE("L77: starts of bodies have the collisions that are traced, and as man
             for (std::size_t k = 0; k < traced.collisions.size(); ++k) {
                 const auto& bounds = traced.collisions[k];
                 REQUIRE(bounds.heavy == (all.at(k).mass == Mass::heavy));
-                REQUIRE((holds(bounds.time, all[k].time) && holds(bounds.phi, all[k].before.phi) &&
-                         holds(bounds.y, all[k].before.y) && holds(bounds.ydot_after, all[k].after.ydot) &&
-                         holds(bounds.phidot_after, all[k].after.phidot)));
+                REQUIRE((in(bounds.time, all[k].time) && in(bounds.phi, all[k].before.phi) &&
+                         in(bounds.y, all[k].before.y) && in(bounds.ydot_after, all[k].after.ydot) &&
+                         in(bounds.phidot_after, all[k].after.phidot)));
             }
         }
     }
