@@ -33,7 +33,7 @@ function(dumbbell_add_tests name)
   add_executable(test_${name} ${arg_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE dumbbell_options dumbbell_catch_main ${arg_LIBS})
-  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${unity_tests} UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${unity_tests})
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   # A name that matches no test case is a failure: cmake splits one that has a semicolon, and joins one that has an
   # unpaired bracket to those that follow it.

@@ -38,7 +38,7 @@ async function page(html, script, style) {
 }
 
 const pages = {
-    "report.html": await page("page.html", "main.js", "style.css"),
+    "report.html": await page("page.html", "main.js", "report.css"),
     "verify.html": await page("verifier/page.html", "verifier/page.js", "verifier/style.css"),
 };
 for (const [name, built] of Object.entries(pages)) {

@@ -4,8 +4,8 @@
 From Coq Require Import Reals.
 From Dumbbell Require Import Statement.
 From Dumbbell Require AnyMotion CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit
-  LightTotal Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
+  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
+  Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
   StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
 Local Open Scope R_scope.
 
@@ -245,9 +245,13 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
-Theorem law : LawStatement.steps -> LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
+Theorem law : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
   LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
+Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
+  (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+  0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
+Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.
 Proof. exact FirstSteps.steps_hold. Qed.
 Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)

@@ -16,9 +16,10 @@ BigInterval delta_bounds(const Integer& n, const Constants& constants) {
     require(n > Integer(last_step), "Theorem A is about the steps beyond those of the certificate");
     // 0 < delta_n < 0.0200, so this has the root of q_c(n).
     const BigInterval root = (number(Rational(n - 2)) + hull(BigInterval(0), number(1, 50))) / constants.C;
-    const BigInterval most = constants.c0 / sqrt(root);
-    const BigInterval log_term = number(63, 1000) * (log(root) + log(root)) + number(7, 10);
-    return hull(low_end(most - log_term / root), high_end(most - number(16, 100) / root));
+    const BigInterval s = sqrt(BigInterval(1) / root), log_q = log(root) + log(root);
+    const BigInterval after = number(n % 2 == 0 ? 496 : 378, 1000);
+    const BigInterval slack = number(11, 100) + number(26, 10) * s;
+    return constants.c0 * s - (constants.kappa * log_q + after + hull(-slack, slack)) / root;
 }
 
 /// The integer nearest to about the middle of x.

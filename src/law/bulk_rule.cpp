@@ -5,10 +5,8 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int bulk_parts = 48;         ///< of the quadrature of P
+constexpr int bulk_parts = 192;        ///< of the quadrature of P
 constexpr int bulk_second_parts = 12;  ///< of that in the term of second order
-
-Interval greatest_eps() { return Interval(1) / Interval(1000); }
 
 /// int_a^b f(x) dx for the ends in these intervals, by n equal parts.
 template <class Function>
@@ -46,16 +44,23 @@ Interval W2(const Interval& Q, const Interval& x) {
     return of_a.cos * a * (sqr(tangent) + 1 / sqr(at.cos)) - of_a.sin * sqr(a * tangent);
 }
 
+Interval bulk_window() { return half_pi<Interval>() + hull(Interval(-1), Interval(3)) / 100'000; }
+
 Interval cube(const Interval& x) { return x * sqr(x); }
 
 }  // namespace
 
-BulkBounds bulk_bounds(const Interval& th) {
-    const Interval eps = hull(Interval(0), greatest_eps());
+Interval P_at(const Interval& th) {
+    const Interval Q = bulk_window();
+    const Interval end = half_pi<Interval>() - asin(Q / pi<Interval>());
+    return -integral([&](const Interval& x) { return P_density(Q, x); }, th, end, bulk_parts);
+}
+
+BulkBounds bulk_bounds(const Interval& th, const Interval& eps, const Interval& P) {
     const SinCos<Interval> of_th = sin_cos(th);
     const Interval &sin_th = of_th.sin, &cos_th = of_th.cos, tan_th = sin_th / cos_th;
 
-    const Interval Q = half_pi<Interval>() + hull(Interval(-1), Interval(3)) / 100'000;
+    const Interval Q = bulk_window();
     const Interval F = Q / cos_th, U = pi<Interval>() - F;
     const SinCos<Interval> of_U = sin_cos(U);
     const Interval &sin_U = of_U.sin, &cos_U = of_U.cos;
@@ -92,14 +97,11 @@ BulkBounds bulk_bounds(const Interval& th) {
                             cos_U * F * tan_th * d_beta * sum_b / 2 +
                             W2(Q, between) * (cube(b) + cube(b2)) / 6;
 
-    const Interval end = half_pi<Interval>() - asin(Q / pi<Interval>());
-    const auto density = [&](const Interval& x) { return P_density(Q, x); };
-    const Interval P = -integral(density, alpha2, end, bulk_parts);
-    const Interval dP = density(between) * sum_b;
+    const Interval density = P_density(Q, between), P2 = P + eps * b2 * density, dP = density * sum_b;
     const Interval reach = -(max(abs(A), abs(A2)) * sqr(eps));
     const Interval J = Q + hull(Interval(reach.lo()), Interval(0));
     const Interval second = second_derivative_of_clock(J, between);
-    const Interval all = excess - P * dA + dP * A + eps / 2 * (second * sqr(A) - second * sqr(A2));
+    const Interval all = excess - P2 * dA + dP * A + eps / 2 * (second * sqr(A) - second * sqr(A2));
     return {all / sum_b, dA / sum_b};
 }
 

@@ -2,7 +2,7 @@
 
 #include "number/interval.hpp"
 
-/// One step of an orbit in the bulk, U >= 9/10 (proofs/law.md, L51), for all eps in (0, 1/1000] at once.
+/// One step of an orbit in the bulk, U >= 9/10 (proofs/law.md, L51).
 namespace dumbbell::law {
 
 struct BulkBounds {
@@ -10,7 +10,10 @@ struct BulkBounds {
     Interval fall;    ///< (J - J')/(eps^2 (alpha' - alpha))
 };
 
-/// Of the steps with th in this interval, in [0, 0.7944], and Q in pi/2 + [-1, 3]/100000.
-[[nodiscard]] BulkBounds bulk_bounds(const Interval& th);
+/// P(Q, th) of L46 for th in this interval, in [0, 0.7944], and Q in pi/2 + [-1, 3]/100000.
+[[nodiscard]] Interval P_at(const Interval& th);
+
+/// Of the steps with th in this interval, eps in this one, in [0, 1/1000], Q as above, and with P_at(th).
+[[nodiscard]] BulkBounds bulk_bounds(const Interval& th, const Interval& eps, const Interval& P);
 
 }  // namespace dumbbell::law

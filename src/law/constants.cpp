@@ -27,6 +27,9 @@ BigInterval correction_constant() {
     return result;
 }
 
-Constants::Constants() : C(flight::growth_constant()), c0(correction_constant()) {}
+Constants::Constants()
+    : C(flight::growth_constant()),
+      c0(correction_constant()),
+      kappa(BigInterval(5) / (BigInterval(36) * sqrt(BigInterval(3)) * pi<BigInterval>())) {}
 
 }  // namespace dumbbell::law

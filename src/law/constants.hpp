@@ -8,9 +8,10 @@ namespace dumbbell::law {
 /// precision; zeta by Arb.
 [[nodiscard]] BigInterval correction_constant();
 
-/// Those of the law and of Theorem 4, with the thread's working precision.
+/// Those of the law and of Theorem 4, with the thread's working precision; kappa = 5/(36 sqrt3 pi) is the
+/// coefficient of the logarithm in Theorem A.
 struct Constants {
-    BigInterval C, c0;
+    BigInterval C, c0, kappa;
 
     Constants();
 };

@@ -5,8 +5,7 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int end_parts = 300;        ///< of the quadrature over t
-constexpr int end_second_parts = 16;  ///< of that in the term of second order
+constexpr int end_second_parts = 16;  ///< of the quadrature in the term of second order
 constexpr int end_passes = 5;         ///< of the iteration that encloses Q
 
 /// The quantities of the last flight; (10) and (15) of proofs/law.md. kappa = d^2 kh, eps = d^2 epsh, A = d
@@ -17,9 +16,9 @@ struct Last {
 };
 
 Last last(const Interval& d, const Slope& Q) {
-    const Slope x{d, Interval(0), Interval(1)};
-    const Slope sinc_d = sinc_of<Slope>(Interval(1), d), sinc_2d = sinc_of<Slope>(Interval(2), d);
-    const Slope F = pi<Interval>() - x;
+    const Slope x = line(d, Interval(0), Interval(1));
+    const Slope sinc_d = sinc_of(Interval(1), d), sinc_2d = sinc_of(Interval(2), d);
+    const Slope F = line(d, pi<Interval>(), Interval(-1));
     const Slope cos_th = Q / F, sin_th = sqrt(1 - sqr(cos_th));
     const Interval d2 = sqr(d);
 
@@ -29,20 +28,17 @@ Last last(const Interval& d, const Slope& Q) {
         one = hull(Interval(1), 1 + sqr(k * d2));
         k = common((sqr(sinc(d)) + d2 * sqr(k) / 4 * one) / range(F), k);
     }
-    const Interval rise = d * sqr(k) / 2 * one;  // rk/d^3
-    const Slope rh{d * rise, Interval(0), rise};
+    const Slope rh = squared(d, sqr(k) / 2 * one);  // rk/d^2
     const Slope kh = (sqr(sinc_d) + rh / 2) / F, epsh = kh * (cos_th / sin_th);
 
     const Slope b = epsh / (2 * sinc_2d), tan_beta = x * b, c = 1 / sqrt(1 + sqr(tan_beta));
-    const Slope ah = c * cos_th * (sinc_d / (2 * cos_of<Slope>(d)) + rh / (4 * sinc_2d) - 1) -
+    const Slope ah = c * cos_th * (sinc_d / (2 * cos_of(d)) + rh / (4 * sinc_2d) - 1) -
                      Q * x * sqr(b) * sqr(c) / (1 + c) - x * sin_th * b * c;
     return {F, Q, kh, epsh, ah, one};
 }
 
 /// For Q = pi/2 + d q.
-Last last(const Interval& d, const Interval& q) {
-    return last(d, Slope{half_pi<Interval>() + d * q, half_pi<Interval>(), q});
-}
+Last last(const Interval& d, const Interval& q) { return last(d, line(d, half_pi<Interval>(), q)); }
 
 /// That q, from Q = J - A and the window of J.
 Interval narrowed(const Interval& d, const Interval& q) {
@@ -60,33 +56,32 @@ EndBounds end_bounds(const Interval& d) {
         q = narrowed(d, q);
     }
     const Last at = last(d, q);
-    const Slope x{d, Interval(0), Interval(1)};
+    const Slope x = line(d, Interval(0), Interval(1));
 
     // g1 = int_0^1 t sinc(2dt) H(pi - 2dt, Q) dt, and the same of second order with J between Q + A and Q.
-    Slope g1{Interval(0), Interval(0), Interval(0)};
-    for (int i = 0; i < end_parts; ++i) {
-        const Interval f = 2 * part(i, end_parts), weight = share(2 * i + 1, 2 * end_parts * end_parts);
-        g1 = g1 + sinc_of<Slope>(f, d) * weight * H(pi<Interval>() - x * f, at.Q);
-    }
-    const Interval reach = -(abs(range(at.ah)) * d);
-    const Interval between = range(at.Q) + hull(Interval(reach.lo()), Interval(0));
-    const Interval g2 = second_moment(2 * d, between, end_second_parts);
-    const Slope m = midpoint_error<Slope>(d, Interval(1), at.F, at.Q, x * sinc_of<Slope>(Interval(1), d),
-                                          cos_of<Slope>(d)) +
-                    4 * (g1 * at.ah) + x * (sqr(at.ah) * (2 * g2));
+    const auto [K0, K1] = start_of_H(at.Q);
+    const Slope g1 =
+        K0 / 2 + K1 * line(d, Interval(0), Interval(2) / 3) + squared(d, 4 * rest_of_H(2 * d, d * q));
+    const Slope between = line(d, half_pi<Interval>(), q + hull(range(at.ah), Interval(0)));
+    const Slope g2 = second_moment(d, Interval(2), between, end_second_parts);
+    const Slope m = midpoint_error(d, Interval(1), at.F, at.Q, x * sinc_of(Interval(1), d), cos_of(d)) +
+                    4 * (g1 * at.ah) + 2 * (x * (sqr(at.ah) * g2));
 
     // e_end/s = -d kh/(4 F sqrt(epsh)) [1, 1 + kappa^2] + m/(2 epsh^(3/2)); eps = d^2 epsh.
     const Slope root = sqrt(at.epsh);
     const Slope per_s = m / (2 * (at.epsh * root)) - x * at.kh / (4 * (at.F * root)) * at.one;
     EndBounds result;
-    result.surplus = per_s.slope / range(root);
+    // Its derivative at d = 0 by L58.
+    const Interval half_turn = pi<Interval>(), first = -(sqrt(sqrt(Interval(3))) * (16 * q + Interval(7)) /
+                                                         (36 * (half_turn * sqrt(half_turn))));
+    result.surplus = (first + d * per_s.second) / range(root);
     result.at_zero = per_s.at0;
     return result;
 }
 
 bool certainly_beyond(const Interval& d) {
     const Interval Q = first_window();
-    return (sqr(d) * range(last(d, Slope{Q, Q, Interval(0)}).epsh)).lo() > 0.001;
+    return (sqr(d) * range(last(d, constant(Q)).epsh)).lo() > 0.001;
 }
 
 }  // namespace dumbbell::law

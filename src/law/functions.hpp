@@ -15,56 +15,34 @@ namespace dumbbell::law {
 [[nodiscard]] inline Interval share(int i, int n) { return Interval(i) / Interval(n); }
 [[nodiscard]] inline Interval part(int i, int n) { return hull(share(i, n), share(i + 1, n)); }
 
-/// sinc(f U) for f >= 0: 1 - f^2 U^2/6 [1 - f^2 U^2/20, 1].
-template <class X>
-[[nodiscard]] X sinc_of(const Interval& f, const Interval& U) {
-    const Interval x = f * U;
-    return quantity<X>(sinc(x), Interval(1), -(sqr(f) * U / 6 * at_most_one(sqr(x) / 20)));
-}
+/// (1 - sinc x)/x^2, 1/6 at 0; it falls. Precondition: as of sinc.
+[[nodiscard]] Interval sinc_fall(const Interval& x);
 
-/// cos U = 1 - U^2/2 [1 - U^2/12, 1].
-template <class X>
-[[nodiscard]] X cos_of(const Interval& U) {
-    return quantity<X>(cos(U), Interval(1), -(U / 2 * at_most_one(sqr(U) / 12)));
+/// sinc(f U) and cos(U) for f >= 0.
+[[nodiscard]] inline Slope sinc_of(const Interval& f, const Interval& U) {
+    return one_and(U, -(sqr(f) * sinc_fall(f * U)), sinc(f * U));
 }
-
-/// G(F, Q) = Q/(F sqrt(F^2 - Q^2)) and what the rules need of its derivatives.
-template <class X>
-[[nodiscard]] X G(const X& F, const X& Q) {
-    return Q / (F * sqrt(sqr(F) - sqr(Q)));
-}
-/// dG/dQ = F (F^2 - Q^2)^(-3/2).
-template <class X>
-[[nodiscard]] X H(const X& F, const X& Q) {
-    const X R = sqr(F) - sqr(Q);
-    return F / (R * sqrt(R));
-}
-/// d2G/dQ2 = 3 Q F (F^2 - Q^2)^(-5/2) over boxes: it falls with F and grows with Q.
-[[nodiscard]] Interval H2_monotone(const Interval& F, const Interval& Q);
-
-/// d^i G/dF^i for i = 1, 2, and for i = 3, 4 over boxes only.
-template <class X>
-struct FirstDerivatives {
-    X G1, G2;
-};
-template <class X>
-[[nodiscard]] FirstDerivatives<X> first_derivatives(const X& F, const X& Q) {
-    const X R = sqr(F) - sqr(Q), r1 = 1 / sqrt(R), r3 = r1 / R, r5 = r3 / R, f = 1 / F;
-    return {-(Q * (sqr(f) * r1 + r3)), Q * (2 * (f * sqr(f) * r1) + f * r3 + 3 * (F * r5))};
-}
-struct LastDerivatives {
-    Interval G3, G4;
-};
-[[nodiscard]] LastDerivatives last_derivatives(const Interval& F, const Interval& Q);
+[[nodiscard]] inline Slope cos_of(const Interval& U) { return one_and(U, -(sqr(sinc(U / 2)) / 2), cos(U)); }
 
 /// E1/d^3 of proofs/law.md: the midpoint rule's error of int sin x G(pi - x, Q) dx over U - d .. U + d, over
 /// d^3. `d_per_U`: d = d_per_U U.
-template <class X>
-[[nodiscard]] X midpoint_error(const Interval& U, const Interval& d_per_U, const X& F, const X& Q,
-                               const X& sin_U, const X& cos_U);
+[[nodiscard]] Slope midpoint_error(const Interval& U, const Interval& d_per_U, const Slope& F, const Slope& Q,
+                                   const Slope& sin_U, const Slope& cos_U);
 
-/// int_0^1 t sinc(u t) H2(pi - u t, Q) dt in n equal parts.
-[[nodiscard]] Interval second_moment(const Interval& u, const Interval& Q, int n);
+/// K0, K1 of K(x) = sinc x g(pi - x) = K0 + K1 x + K2(x) x^2, g = G(., J) or g = H(., Q), H = dG/dQ.
+struct Start {
+    Slope K0, K1;
+};
+[[nodiscard]] Start start_of_G(const Slope& J);
+[[nodiscard]] Start start_of_H(const Slope& Q);
+
+/// int_0^1 t^3 K2(u t) dt for them, if J or Q is pi/2 + offset.
+[[nodiscard]] Interval rest_of_G(const Interval& u, const Interval& offset);
+[[nodiscard]] Interval rest_of_H(const Interval& u, const Interval& offset);
+/// int_-1^1 (1 + rho t)^3 K2(U (1 + rho t)) dt for H.
+[[nodiscard]] Interval step_rest_of_H(const Interval& U, const Interval& rho, const Interval& offset);
+/// int_0^1 t sinc(f U t) H2(pi - f U t, Q) dt in n equal parts, H2 = dH/dQ.
+[[nodiscard]] Slope second_moment(const Interval& U, const Interval& f, const Slope& Q, int n);
 
 /// How far J may lie below pi/2, in units of eps^2/u^3.
 [[nodiscard]] inline Interval drift_window() { return Interval(53) / Interval(10); }
@@ -76,6 +54,9 @@ template <class X>
 
 /// k0 = 3^(-7/4) pi^(-1/2).
 [[nodiscard]] Interval comparison_constant();
+
+/// c = (4 sqrt3 pi)^(1/2): u is about c sqrt(eps T) near the peak.
+[[nodiscard]] Interval clock_constant();
 
 /// x as far as it lies in y. NaN, of which every comparison is false, if it nowhere does.
 [[nodiscard]] Interval common(const Interval& x, const Interval& y);

@@ -8,8 +8,7 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int most_splits = 24;       ///< of one axis
-constexpr double slope_until = 0.25;  ///< beyond, the slope form is mostly the coarser one; 0.5 does as well
+constexpr int most_splits = 24;  ///< of one axis
 
 /// [lo, hi] of a side of length num/den.
 Interval side(const std::pair<double, double>& share, int num, int den) {
@@ -27,13 +26,7 @@ std::optional<LayerLeaf> judged(const LayerBox& box) {
     if (certainly_beyond(box)) {
         return LayerLeaf::beyond;
     }
-    if (box.U.hi() <= slope_until && closes(box, LayerForm::slope)) {
-        return LayerLeaf::slope;
-    }
-    if (box.U.lo() > 0 && closes(box, LayerForm::direct)) {
-        return LayerLeaf::direct;
-    }
-    return std::nullopt;
+    return closes(box) ? std::optional(LayerLeaf::slope) : std::nullopt;
 }
 
 LayerAxis longer_side(const LayerShares& shares) {

@@ -12,8 +12,8 @@
 namespace dumbbell::law {
 
 enum class LayerAxis { U, rho };
-/// Which form of the rule closes the box; beyond: it has no step with eps <= 1/1000.
-enum class LayerLeaf { slope, direct, beyond };
+/// The rule closes the box; beyond: it has no step with eps <= 1/1000.
+enum class LayerLeaf { slope, beyond };
 
 /// Without `split` a leaf.
 struct LayerNode {

@@ -1,155 +1,159 @@
 #include "law/layer_rule.hpp"
 
-#include <type_traits>
-
 #include "law/functions.hpp"
 
 namespace dumbbell::law {
 namespace {
 
-// With 32 parts for 64 the cover of the layer does not end within ten minutes. 128 would do with 22,432
-// leaves instead of 52,301, each of them twice the work.
-constexpr int layer_parts = 64;        ///< of the quadratures over t
-constexpr int layer_second_parts = 8;  ///< of those in terms of second order
-constexpr int layer_passes = 4;        ///< of the iteration that encloses Q
+constexpr int second_parts = 8;  ///< of the quadratures in the terms of second order
+constexpr int passes = 4;        ///< of the iteration that encloses Q
 
-/// The quantities of a step that the rule is made of; (8) and (11) of proofs/law.md.
-template <class X>
+/// (C6), (C7): the excess lies between a y + b (sqrt T - sqrt(T - 1))^2, a = -0.31 and b = -0.25 below, a =
+/// 0.24 and b = 0.5 above. In thousandths, with something to spare for the verifier's wider enclosures.
+constexpr int a_least = -238, b_least = -185, a_most = 168, b_most = 420;
+
+/// The quantities of a step that the rule is made of; (8) and (11) of proofs/law.md. What is 1 at U = 0 is
+/// written without the factors of rho that cancel: so the wide sums of L50 (b) do not occur.
 struct Step {
-    X sin_U, cos_U, d, F, Q, ehat;
-    X a, a_prime, a_whole;  ///< U^2 (A - A')/d^3, U A'/d^2, U A/d^2
+    Slope sin_U, cos_U, d, F, Q, ehat;
+    Slope a, apart;          ///< (1 - rho^2) a, and (ap + (1 + rho) a/2)/U
+    Slope a_prime, a_whole;  ///< ap, aA
 };
 
-template <class X>
-Step<X> step(const LayerBox& box, const X& Q) {
+Step step(const LayerBox& box, const Slope& Q) {
     const auto& [U, rho] = box;
-    const Interval plus = 1 + rho, minus = 1 - rho;
-    const X u = quantity<X>(U, Interval(0), Interval(1));
-    const X d = u * rho;
-    const X sinc_d = sinc_of<X>(rho, U), sinc_U = sinc_of<X>(Interval(1), U);
-    const X sinc_u = sinc_of<X>(plus, U), sinc_u2 = sinc_of<X>(minus, U);
-    const X sinc_2U = sinc_of<X>(Interval(2), U), sinc_2d = sinc_of<X>(2 * rho, U);
-    const X cos_U = cos_of<X>(U), sin_U = u * sinc_U;
-    const X F = pi<Interval>() - u;
-    const X cos_th = Q / F, sin_th = sqrt(1 - sqr(cos_th)), cot_th = cos_th / sin_th;
-    const X ehat = sinc_d * sinc_U * cot_th / F;
+    const Interval plus = 1 + rho, minus = 1 - rho, less = 1 - sqr(rho);
+    const Slope u = line(U, Interval(0), Interval(1)), d = u * rho;
+    const Slope sinc_d = sinc_of(rho, U), sinc_U = sinc_of(Interval(1), U);
+    const Slope sinc_u = sinc_of(plus, U), sinc_u2 = sinc_of(minus, U);
+    const Slope cos_U = cos_of(U), sin_U = u * sinc_U, F = line(U, pi<Interval>(), Interval(-1));
+    const Slope cos_th = Q / F, sin_th = sqrt(1 - sqr(cos_th));
+    const Slope ehat = sinc_d * sinc_U * (cos_th / sin_th) / F;
 
     // The kicks: tan beta = d b at u, and the same at u'.
-    const X b = ehat / (sinc_u * plus), b2 = ehat / (sinc_u2 * minus);
-    const X c = 1 / sqrt(1 + sqr(d * b)), c2 = 1 / sqrt(1 + sqr(d * b2));
-    const X kc = 4 * (sqr(c) * sqr(c2) / (c + c2) * sqr(ehat) * sinc_2U * sinc_2d /
-                      (sqr(sinc_u) * sqr(sinc_u2) * sqr(1 - sqr(rho))));
-    const X ks = 4 * (ehat * sinc_2U * sinc_2d * c * c2 /
-                      (sinc_u * sinc_u2 * (sinc_u * plus / c + sinc_u2 * minus / c2) * (1 - sqr(rho))));
+    const Slope b = ehat / (sinc_u * plus), b2 = ehat / (sinc_u2 * minus);
+    const Slope c = 1 / sqrt(1 + sqr(d * b)), c2 = 1 / sqrt(1 + sqr(d * b2));
+    const Slope both = sinc_u * sinc_u2 * less;
+    const Slope doubles = 4 * (ehat * sinc_of(Interval(2), U) * sinc_of(2 * rho, U));
+    const Slope kc = sqr(c) * sqr(c2) / (c + c2) * ehat * doubles / sqr(both);
+    const Slope ks = doubles * c * c2 / (both * (sinc_u * plus / c + sinc_u2 * minus / c2));
 
+    // x = (1 - rho^2) xh/2 and x1 = -(1 - rho) X1, both 1 at U = 0.
     const Interval d2 = sqr(range(d));
-    const X ratio = sinc_d / sinc_U;
-    const X xh = 2 * (sqr(ratio) - sqr(u) * (2 * at_most_one(d2 / 5) / 3)) / (1 - sqr(ratio * rho));
-    const X x1 = -((cos_U * sinc_d + sin_U * d * (at_most_one(d2 / 10) / 3)) / (sinc_u2 * minus));
-    const X x_prime = x1 * d * rho;
-    const X a = cos_th * (c * xh + x_prime * kc * u) + Q * kc * u + sin_th * ks * u;
-    const X a_prime = cos_th * c2 * x1 - Q * u * sqr(b2) * sqr(c2) / (1 + c2) - sin_th * u * b2 * c2;
-    return {sin_U, cos_U, d, F, Q, ehat, a, a_prime, a_prime + a * rho};
+    const Slope ratio = sqr(sinc_d / sinc_U);
+    const Interval top = ratio.second - 2 * at_most_one(d2 / 5) / 3;
+    const Slope x = one_and(U, top, 1 + sqr(U) * top) /
+                    one_and(U, -(sqr(rho) * ratio.second / less), (1 - sqr(rho) * range(ratio)) / less);
+    const Slope x1 = (cos_U * sinc_d + sin_U * d * (at_most_one(d2 / 10) / 3)) / sinc_u2;
+    const Slope cx = c * x, cx1 = c2 * x1;
+
+    const Slope turn = Q * kc + sin_th * ks - cos_th * x1 * d * (rho / minus) * kc;
+    const Slope kick = Q * sqr(b2) * sqr(c2) / (1 + c2) + sin_th * b2 * c2;
+    const Slope a = 2 * (cos_th * cx) + u * turn * less;
+    const Slope a_prime = -(cos_th * cx1 / minus) - u * kick;
+    const Slope apart =
+        cos_th * line(U, Interval(0), (cx.second - cx1.second) / minus) + turn * (plus / 2) - kick;
+    return {sin_U, cos_U, d, F, Q, ehat, a, apart, a_prime, a_prime + a * (rho / less)};
 }
 
 /// pi/2 + rho^2 U q.
-template <class X>
-X Q_of(const LayerBox& box, const Interval& q) {
-    const Interval slope = sqr(box.rho) * q;
-    return quantity<X>(half_pi<Interval>() + box.U * slope, half_pi<Interval>(), slope);
+Slope Q_of(const LayerBox& box, const Interval& q) {
+    return line(box.U, half_pi<Interval>(), sqr(box.rho) * q);
 }
 
-/// That q, from Q = J - A and the window of J.
-template <class X>
-Interval q_of(const LayerBox& box, const Step<X>& at) {
+/// (J - pi/2)/(rho^2 U), by its window.
+Interval J_offset(const LayerBox& box, const Step& at) {
     const auto& [U, rho] = box;
     const Interval e2 = sqr(range(at.ehat)), plus = 1 + rho;
-    const Interval J(-(drift_window() * e2 / (plus * sqr(plus))).hi(), (U * sqr(U) * e2 / 4).hi());
-    return J - range(at.a_whole);
+    return {-(drift_window() * e2 / (plus * sqr(plus))).hi(), (U * sqr(U) * e2 / 4).hi()};
+}
+/// That q, as Q = J - A.
+Interval q_of(const LayerBox& box, const Step& at) { return J_offset(box, at) - range(at.a_whole); }
+
+/// m of L49, 2 eps D = m d^3: with (1 + rho)^2 g1 a + mu ap = mu (ap + (1 + rho) a/2) - (1 - rho^2) a both/2,
+/// both = (mu - 2 (1 + rho) g1)/(1 - rho).
+Slope defect(const LayerBox& box, const Step& at, const Interval& q) {
+    const auto& [U, rho] = box;
+    const Interval plus = 1 + rho, minus = 1 - rho, offset = sqr(rho) * U * q;
+    const auto [H0, H1] = start_of_H(at.Q);
+    const Interval step_rest = step_rest_of_H(U, rho, offset), way_rest = rest_of_H(plus * U, offset);
+    const Slope mu = 2 * H0 + H1 * line(U, Interval(0), 2 + 2 * sqr(rho) / 3) + squared(U, step_rest);
+    const Slope both = H0 + H1 * line(U, Interval(0), Interval(4) / 3) +
+                       squared(U, (step_rest - 2 * plus * sqr(plus) * way_rest) / minus);
+    // The terms of second order, with J between Q + A (or Q + A') and Q.
+    const Interval least = -max(abs(range(at.a_whole)), abs(range(at.a_prime)));
+    const Slope between = Q_of(box, q + hull(Interval(least.lo()), Interval(0)));
+    const Slope h1 = second_moment(U, plus, between, second_parts),
+                h2 = second_moment(U, minus, between, second_parts);
+    return midpoint_error(U, rho, at.F, at.Q, at.sin_U, at.cos_U) +
+           line(U, Interval(0), Interval(1)) * mu * at.apart - at.a * both / 2 +
+           at.d * (sqr(at.a_whole) * h1 * sqr(plus) - sqr(at.a_prime) * h2 * sqr(minus)) / 2;
 }
 
-/// g1, k1 = int_0^1 t sinc(ut) (H at Q, G at J)(pi - ut) dt, and mu.
-template <class X>
-struct Moments {
-    X g1, k1, mu;
-};
-template <class X>
-Moments<X> moments(const LayerBox& box, const Step<X>& at, const X& J) {
-    const auto& [U, rho] = box;
-    const Interval plus = 1 + rho;
-    const X zero = quantity<X>(Interval(0), Interval(0), Interval(0));
-    const X u = quantity<X>(U, Interval(0), Interval(1));
-    Moments<X> sum{zero, zero, zero};
-    for (int i = 0; i < layer_parts; ++i) {
-        const Interval f = plus * part(i, layer_parts),
-                       weight = share(2 * i + 1, 2 * layer_parts * layer_parts);
-        const X F = pi<Interval>() - u * f, weighted = sinc_of<X>(f, U) * weight;
-        sum.g1 = sum.g1 + weighted * H(F, at.Q);
-        sum.k1 = sum.k1 + weighted * G(F, J);
-    }
-    for (int i = 0; i < layer_parts; ++i) {
-        // t from t0 = 2i/parts - 1 on, over 2/parts: int (1 + rho t) dt = (2/parts)(1 + rho (t0 + t1)/2)
-        const Interval f = 1 + rho * (2 * part(i, layer_parts) - Interval(1));
-        const Interval weight =
-            (1 + rho * share(2 * i + 1 - layer_parts, layer_parts)) * share(2, layer_parts);
-        sum.mu = sum.mu + sinc_of<X>(f, U) * weight * H(pi<Interval>() - u * f, at.Q);
-    }
-    return sum;
+/// `x`, of which it is known that it is 1 at U = 0.
+Slope normalised(Slope x) {
+    x.at0 = Interval(1);
+    return x;
 }
 
-template <class X>
-LayerBounds bounds(const LayerBox& box) {
-    const auto& [U, rho] = box;
-    const Interval plus = 1 + rho, minus = 1 - rho;
-    Interval q = q_of(box, step<Interval>(box, first_window()));
-    for (int i = 0; i < layer_passes; ++i) {
-        q = common(q, q_of(box, step<X>(box, Q_of<X>(box, q))));
-    }
-    const Step<X> at = step<X>(box, Q_of<X>(box, q));
-    const X J = at.Q + at.a_whole * at.d * rho;
-    const auto [g1, k1, mu] = moments(box, at, J);
-
-    // E2: first order, and the second with J between Q + A (or Q + A') and Q.
-    const Interval least = -(max(abs(range(at.a_whole)), abs(range(at.a_prime))) * range(at.d) * rho);
-    const Interval between = range(at.Q) + hull(Interval(least.lo()), Interval(0));
-    const Interval h1 = second_moment(plus * U, between, layer_second_parts);
-    const Interval h2 = second_moment(minus * U, between, layer_second_parts);
-    const X E2 = g1 * at.a * sqr(plus) + mu * at.a_prime +
-                 at.d * (sqr(at.a_whole) * (sqr(plus) * h1 / 2) - sqr(at.a_prime) * (sqr(minus) * h2 / 2));
-    const X m = midpoint_error<X>(U, rho, at.F, at.Q, at.sin_U, at.cos_U) + E2;
-
-    const X rest = k1 * sqr(plus) - at.ehat * (2 * rho);
-    const X B = sqrt(k1) * plus + sqrt(rest);
-    const Interval scale = 4 * (sqrt(Interval(2)) * comparison_constant());
-    const X share_of_D0 = m * B * sqr(B) / (at.ehat * sqr(at.ehat) * scale);
-    LayerBounds result;
-    result.rest = range(rest);
-    result.drift = range(at.a) / (2 * sqr(range(at.ehat)));
-    if constexpr (std::is_same_v<X, Slope>) {
-        result.gamma = -share_of_D0.slope;
-        result.at_zero = share_of_D0.at0;
-    } else {
-        result.gamma = (1 - share_of_D0) / U;
-        result.at_zero = Interval(1);
-    }
-    return result;
+Margin margin(const LayerBox& box, const Interval& by_rho, const Interval& by_U) {
+    return {by_rho, by_U, box.rho * by_rho + box.U * by_U};
+}
+bool is_positive(const Margin& margin) {
+    return (certainly_positive(margin.by_rho) && certainly_positive(margin.by_U)) ||
+           certainly_positive(margin.sum);
 }
 
 }  // namespace
 
-LayerBounds layer_bounds(const LayerBox& box, LayerForm form) {
-    return form == LayerForm::slope ? bounds<Slope>(box) : bounds<Interval>(box);
+LayerBounds layer_bounds(const LayerBox& box) {
+    const auto& [U, rho] = box;
+    const Interval plus = 1 + rho, minus = 1 - rho, half_turn = pi<Interval>();
+    Interval q = q_of(box, step(box, constant(first_window())));
+    for (int i = 0; i < passes; ++i) {
+        q = common(q, q_of(box, step(box, Q_of(box, q))));
+    }
+    const Step at = step(box, Q_of(box, q));
+
+    // B = sqrt(ehat/2) (2 + ...): its two roots are those of k = 2 k1/ehat and of 1 + (k - 1)
+    // (1+rho)^2/(1-rho)^2.
+    const Interval j = J_offset(box, at);
+    const auto [G0, G1] = start_of_G(at.Q + at.a_whole * at.d * rho);
+    const Slope k1 = G0 / 2 + G1 * line(U, Interval(0), plus / 3) +
+                     squared(U, sqr(plus) * rest_of_G(plus * U, sqr(rho) * U * j));
+    const Slope k = normalised(2 * (k1 / at.ehat)),
+                rest = normalised((k - 1) * sqr(plus / minus) + Interval(1));
+    const Slope half_B = normalised((sqrt(k) * plus + sqrt(rest) * minus) / 2), root = sqrt(at.ehat);
+    const Slope ratio =
+        defect(box, at, q) * half_B * sqr(half_B) / (at.ehat * root) / (2 * comparison_constant());
+
+    // y = U v; by L57 (1 - ratio)/U - 5 v/(3 pi) = rho^2 turn + U bend.
+    const Slope v = half_B * root * (clock_constant() / 2);
+    const Interval gamma = 5 / (3 * half_turn), turn = (12 * q - 1 / minus) / (3 * half_turn);
+    const Interval bend = -(ratio.second + gamma * v.slope);
+    const Interval by_rho = rho * turn / range(v), by_U = bend / range(v), spread = 1 / sqr(range(half_B));
+    LayerBounds result;
+    result.rest = range(rest);
+    result.excess = rho * by_rho + U * by_U;
+    const auto thousandths = [](int n) { return Interval(n) / 1000; };
+    result.above =
+        margin(box, by_rho - thousandths(b_least) * spread, by_U - thousandths(a_least) * range(v));
+    result.below = margin(box, thousandths(b_most) * spread - by_rho, thousandths(a_most) * range(v) - by_U);
+    result.drift = range(at.a) / (2 * sqr(range(at.ehat)) * (1 - sqr(rho)));
+    result.at_zero = ratio.at0;
+    result.first = ratio.first + gamma + sqr(rho) * turn;
+    return result;
 }
 
 bool certainly_beyond(const LayerBox& box) {
-    const auto& [U, rho] = box;
-    return (rho * sqr(U) * step<Interval>(box, first_window()).ehat).lo() > 0.001;
+    return (box.rho * sqr(box.U) * range(step(box, constant(first_window())).ehat)).lo() > 0.001;
 }
 
-bool closes(const LayerBox& box, LayerForm form) {
-    const LayerBounds found = layer_bounds(box, form);
-    return certainly_positive(found.rest) && within(Interval(1), found.at_zero.lo(), found.at_zero.hi()) &&
-           within(found.gamma, 0.055, box.U.hi() > 0.75 ? 1.10 : 1.29) && within(found.drift, 0, 15.88);
+bool closes(const LayerBox& box) {
+    const LayerBounds found = layer_bounds(box);
+    const auto contains = [](const Interval& x, double value) { return x.lo() <= value && value <= x.hi(); };
+    return certainly_positive(found.rest) && is_positive(found.above) && is_positive(found.below) &&
+           within(found.drift, 0, 15.88) && contains(found.at_zero, 1) && contains(found.first, 0);
 }
 
 }  // namespace dumbbell::law

@@ -7,13 +7,24 @@
 namespace dumbbell::law {
 namespace {
 
-/// A range of th in tenths of a thousand, and what is claimed of it.
+/// A range of th in tenths of a thousand, and how far J falls there at most.
 struct BulkRange {
     int lo, hi;
-    double least_defect, greatest_defect, greatest_fall;
+    double greatest_fall;
 };
-constexpr std::array<BulkRange, 3> bulk_ranges{
-    {{0, 6000, -0.334, 0, 2.1}, {6000, 7000, -0.125, 0.085, 6.2}, {7000, 7944, -0.105, 0.47, 22.7}}};
+constexpr std::array<BulkRange, 3> bulk_ranges{{{0, 6000, 2.1}, {6000, 7000, 6.2}, {7000, 7944, 22.7}}};
+
+constexpr int eps_parts = 4;
+
+/// (C9): |M - p(th)| <= w(th), p = -1/3 + 0.94 th^2 - 1.035 th^4 + 2.107 th^8, w = 0.007 + 1.1 th^8, here
+/// with a little to spare.
+bool is_near_polynomial(const Interval& defect, const Interval& th) {
+    const Interval x = sqr(th), x2 = sqr(x), x4 = sqr(x2);
+    const auto thousandths = [](int k) { return Interval(k) / 1000; };
+    const Interval p =
+        x * thousandths(940) - x2 * thousandths(1035) + x4 * thousandths(2107) - Interval(1) / 3;
+    return certainly_at_most(abs(defect - p), thousandths(7) + x4 * Interval(109) / 100);
+}
 
 /// Part i of n of [lo, hi]/10000.
 Interval part_of(int lo, int hi, int i, int n) {
@@ -27,10 +38,13 @@ bool bulk_closes(const Parts& parts) {
     for (std::size_t k = 0; k < bulk_ranges.size(); ++k) {
         const BulkRange& range = bulk_ranges[k];
         for (int i = 0; i < parts.bulk[k]; ++i) {
-            const BulkBounds found = bulk_bounds(part_of(range.lo, range.hi, i, parts.bulk[k]));
-            if (!within(found.defect, range.least_defect, range.greatest_defect) ||
-                !(found.fall.hi() <= range.greatest_fall)) {
-                return false;
+            const Interval th = part_of(range.lo, range.hi, i, parts.bulk[k]);
+            const Interval P = P_at(th);
+            for (int e = 0; e < eps_parts; ++e) {
+                const BulkBounds found = bulk_bounds(th, part(e, eps_parts) / 1000, P);
+                if (!is_near_polynomial(found.defect, th) || !(found.fall.hi() <= range.greatest_fall)) {
+                    return false;
+                }
             }
         }
     }
@@ -45,7 +59,9 @@ bool end_closes(const Parts& parts) {
         }
         const EndBounds found = end_bounds(d);
         const Interval k0 = comparison_constant();
-        if (!within(found.surplus, -0.23, -0.0885) ||
+        // (C11), with a little to spare.
+        const Interval off = abs(found.surplus + Interval(331) / 2000);
+        if (!certainly_at_most(off, (Interval(39) + 4800 * low_end(d)) / 10'000) ||
             !(found.at_zero.lo() <= k0.lo() && k0.hi() <= found.at_zero.hi())) {
             return false;
         }

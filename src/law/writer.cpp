@@ -6,20 +6,10 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr std::array<std::string_view, 10> kinds{"split",          "count",        "outside", "meets",
-                                                 "meets-reversed", "equal-masses", "witness", "slope",
-                                                 "direct",         "beyond"};
+constexpr std::array<std::string_view, 9> kinds{
+    "split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "slope", "beyond"};
 
-const char* word(LayerLeaf leaf) {
-    switch (leaf) {
-        case LayerLeaf::slope:
-            return "slope";
-        case LayerLeaf::direct:
-            return "direct";
-        default:
-            return "beyond";
-    }
-}
+const char* word(LayerLeaf leaf) { return leaf == LayerLeaf::slope ? "slope" : "beyond"; }
 
 class Writer : collisions::PieceLines {
   public:

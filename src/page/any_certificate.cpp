@@ -29,14 +29,7 @@ AnyCertificate read_any_certificate(const std::string& path) {
                         "shows that; dumbbell verify checks it",
                         path));
     }
-    collisions::Certificate certificate = collisions::read_certificate(path);
-    if (certificate.heights) {
-        throw InputError(fmt::format(
-            "'{}' is about rigid bodies (dumbbell certify --scene body): no page shows that, of the pictures "
-            "only dumbbell plot body; dumbbell verify checks it",
-            path));
-    }
-    return certificate;
+    return collisions::read_certificate(path);
 }
 
 }  // namespace dumbbell::page

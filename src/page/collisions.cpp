@@ -1,9 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
+#include "collisions/body/witness.hpp"
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "collisions/scene.hpp"
@@ -131,13 +133,24 @@ Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Ki
     return json;
 }
 
-Json witness_json(const collisions::Witness& witness) {
+/// Of a witness close to the corner a contact that has as many collisions in the middle of the piece, where
+/// the page draws it, if one is found.
+Json witness_json(const Piece& piece, const std::optional<collisions::Heights>& heights) {
+    const collisions::Witness& witness = *piece.witness;
+    std::optional<collisions::Witness> drawn = witness;
+    if (witness.chart == collisions::Chart::corner) {
+        const Rational q = exact(std::sqrt((piece.q_lo * piece.q_hi).convert_to<double>()));
+        const Rational rho = (heights->lo + heights->hi) / 2;
+        drawn = collisions::found_contact(q, q, {rho, rho}, as_long(witness.total()), never);
+    }
     return Json::object({{"chart", name(witness.chart)},
-                         {"e", to_fraction(witness.e)},
-                         {"eta", to_fraction(witness.eta)},
+                         {"e", drawn ? Json(to_fraction(drawn->e)) : Json()},
+                         {"eta", drawn ? Json(to_fraction(drawn->eta)) : Json()},
                          {"forward", witness.forward},
                          {"backward", witness.backward}});
 }
+
+const char* symbol_of(const Certificate& certificate) { return certificate.heights ? "Q" : "q"; }
 
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
@@ -152,16 +165,25 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
          {"hi", to_fraction(piece.q_hi)},
          {"lo_text", exact_text(piece.q_lo)},
          {"hi_text", exact_text(piece.q_hi)},
+         {"symbol", symbol_of(certificate)},
          {"status", name(piece.status())},
          {"upper", piece.upper},
          {"lower", piece.lower},
          {"bits", piece.bits},
          {"leaves", piece.cover.leaves()},
          {"equal_masses", piece.cover.equal_masses},
+         {"symmetric", piece.cover.symmetric},
          {"paper", has_paper ? Json::array({flight::paper_bound(piece.q_lo), flight::paper_bound(piece.q_hi)})
                              : Json()},
-         {"witness", piece.witness ? witness_json(*piece.witness) : Json()},
+         {"witness", piece.witness ? witness_json(piece, certificate.heights) : Json()},
          {"trees", trees}});
+}
+
+/// " = 1", " from 1/2 to 3/4".
+std::string text_of(const collisions::Heights& heights) {
+    return heights.lo == heights.hi
+               ? " = " + exact_text(heights.lo)
+               : fmt::format(" from {} to {}", exact_text(heights.lo), exact_text(heights.hi));
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.
@@ -185,10 +207,19 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     for (const Piece& piece : certificate.pieces) {
         pieces.add(piece_json(piece, certificate, kinds, budget));
     }
+    const auto& heights = certificate.heights;
+    const std::string where = heights
+                                  ? fmt::format("{} with \u03c1 = d2/d1{} (as long as it meets no corner)",
+                                                row.where, text_of(*heights))
+                                  : std::string(row.where);
     return Json::object({{"claim", "collisions"},
                          {"scene", name(certificate.scene)},
-                         {"system", row.system},
-                         {"where", row.where},
+                         {"system", heights ? fmt::format("The body with \u03c1{}", text_of(*heights))
+                                            : std::string(row.system)},
+                         {"where", where},
+                         {"symbol", symbol_of(certificate)},
+                         {"ratio", heights ? "Q = (d1/k)\u00b2" : "mass ratio q"},
+                         {"rho", heights ? Json(to_fraction((heights->lo + heights->hi) / 2)) : Json()},
                          {"has_orbits", row.has_orbits},
                          {"section", name(certificate.section)},
                          {"lo_text", exact_text(certificate.q_lo())},
@@ -205,6 +236,10 @@ std::string claim_options(const Certificate& certificate) {
     std::string options = option_of(certificate.scene) + "--ratio " + exact_text(certificate.q_lo());
     if (certificate.q_lo() != certificate.q_hi()) {
         options += ":" + exact_text(certificate.q_hi());
+    }
+    if (const auto& heights = certificate.heights) {
+        options += " --rho " + exact_text(heights->lo) +
+                   (heights->lo == heights->hi ? "" : ":" + exact_text(heights->hi));
     }
     if (upper == lower) {
         return options + fmt::format(" --exactly {}", lower);

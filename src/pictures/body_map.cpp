@@ -29,7 +29,7 @@ struct Body {
 };
 
 /// Two ends of the mass ratio q and a uniform rod of mu times their mass (L70 (d)).
-Body rod(double q, double mu) {
+Body rod_body(double q, double mu) {
     const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
     const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
     return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
@@ -57,9 +57,9 @@ std::string massless(const Frame& frame, double greatest_inertia) {
 
 /// From no mass of the rod to ten thousand times the mass of its ends.
 std::string rods(const Frame& frame, double q) {
-    std::vector<Body> bodies{rod(q, 0)};
+    std::vector<Body> bodies{rod_body(q, 0)};
     for (int i = 0; i <= curve_parts; ++i) {
-        bodies.push_back(rod(q, std::pow(10, 8.0 * i / curve_parts - 4)));
+        bodies.push_back(rod_body(q, std::pow(10, 8.0 * i / curve_parts - 4)));
     }
     return curve(frame, bodies);
 }

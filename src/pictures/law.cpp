@@ -26,7 +26,7 @@ constexpr double steps_height = 190;
 constexpr double between = 84;  ///< from one frame to the next
 
 // N(q) - C sqrt q lies between these for every q >= 1 (Theorem B).
-constexpr double least = 0.980;
+constexpr double lowest = 0.980;
 constexpr double greatest = 2.115;
 
 double fourth_root(double q) { return std::sqrt(std::sqrt(q)); }
@@ -43,6 +43,7 @@ struct Law {
         const law::Constants constants;
         C = approximate(constants.C);
         c0 = approximate(constants.c0);
+        kappa = approximate(constants.kappa);
     }
 
     /// n - C sqrt q.
@@ -55,15 +56,20 @@ struct Law {
     }
     /// The fourth root of q times C sqrt q - (n - 2): of q_c(n) between 0 and c0, if n >= 9.
     [[nodiscard]] double lateness(long n, double q) const { return fourth_root(q) * (2 - excess(n)(q)); }
-    // The bounds of that by Theorem A, and a ratio from where on all steps have them: C sqrt q < 902 at
-    // q_c(903).
-    [[nodiscard]] Curve theorem_a_low() const {
-        return [c0 = c0](double q) { return c0 - (0.063 * std::log(q) + 0.7) / fourth_root(q); };
-    }
-    [[nodiscard]] Curve theorem_a_high() const {
-        return [c0 = c0](double q) { return c0 - 0.16 / fourth_root(q); };
-    }
+    // The bounds of that by Theorem A, the lower one for even n, the upper one for odd n, and a ratio from
+    // where on all steps have them: C sqrt q < 902 at q_c(903).
+    [[nodiscard]] Curve theorem_a_low() const { return after_logarithm(0.496 + 0.11, 2.6); }
+    [[nodiscard]] Curve theorem_a_high() const { return after_logarithm(0.378 - 0.11, -2.6); }
     [[nodiscard]] double theorem_a_from() const { return std::pow(902 / C, 2); }
+
+  private:
+    [[nodiscard]] Curve after_logarithm(double constant, double next) const {
+        return [c0 = c0, kappa = kappa, constant, next](double q) {
+            const double s = 1 / fourth_root(q);
+            return c0 - (kappa * std::log(q) + constant + next * s) * s;
+        };
+    }
+    double kappa;
 };
 
 struct Range {
@@ -201,7 +207,7 @@ void draw_teeth(Svg& svg, const Frame& frame, const Content& content) {
         svg.path("gap", gaps);
     }
     svg.path("proved", teeth_path(frame, law, pieces, all.hi));
-    svg.path("bounds", line(points(frame, all, level(greatest))) + line(points(frame, all, level(least))));
+    svg.path("bounds", line(points(frame, all, level(greatest))) + line(points(frame, all, level(lowest))));
     svg.close();
     if (all.lo < law_from) {
         svg.open_clip(frame.left(), frame.top(), frame.x(law_from) - frame.left(), frame.y(2) - frame.top());
@@ -209,7 +215,7 @@ void draw_teeth(Svg& svg, const Frame& frame, const Content& content) {
         svg.close();
     }
     svg.text(frame.right() - 8, frame.y(greatest) - 5, fmt::format("{:.3f}", greatest), Anchor::end);
-    svg.text(frame.right() - 8, frame.y(least) + 15, fmt::format("{:.3f}", least), Anchor::end);
+    svg.text(frame.right() - 8, frame.y(lowest) + 15, fmt::format("{:.3f}", lowest), Anchor::end);
     frame.draw_axes(svg);
 }
 

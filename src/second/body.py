@@ -3,7 +3,7 @@
 from collections import namedtuple
 
 from failure import Limit
-from fixed import greatest, half_pi, interval, least, pi, sin_cos, square
+from fixed import greatest, half_pi, interval, least, meet, pi, sin_cos, square
 from full import below_time, root, steep_time
 from plain import new_slope, returning, span, wall
 from rays import earliest, latest
@@ -44,7 +44,8 @@ class Body:
         """E and P at the contacts t."""
         s = sin_cos(t)[1]
         fall = self.rho * square(s)
-        return self.g + 2 * s * kappa - fall, 2 * self.r * s - kappa * (self.g - fall)
+        turn = 2 * self.r * s
+        return self.g + 2 * s * kappa - fall, meet(turn - kappa * (self.g - fall), turn - kappa * self.g + kappa * fall)
 
     def ray(self, t, slope, side):
         """From the contacts t: to the left (side = 1), or to the right (-1)."""

@@ -19,6 +19,8 @@ def returning(slope):
 def new_slope(w, kappa, r):
     """The slopes after a light wall that may come back, or None."""
     numerator, d = reflected(w, kappa, r)
+    numerator = meet(numerator, kappa * (square(w) - r) + 2 * r * w)
+    d = meet(d, w * (w - 2 * kappa) - r)
     if d <= 0:
         return None
     if not d > 0:

@@ -88,9 +88,10 @@ void require_in_play(const Box& box) {
     };
     const BigInterval sine = sin_cos(side(Axis::phi)).sin;
     const BigInterval one(1);
-    const BigInterval r_lo = one / enclose<BigInterval>(box.upper(Axis::ratio));
-    const BigInterval r_hi = one / enclose<BigInterval>(box.lower(Axis::ratio));
-    // The highest floor: beta2 = 1/(1+r) is greatest at the least r, beta1 = r/(1+r) at the greatest.
+    const BigInterval r_lo = one / enclose<BigInterval>(box.rho ? 1 / *box.rho : box.upper(Axis::ratio));
+    const BigInterval r_hi = one / enclose<BigInterval>(box.ratio_of_distances());
+    // The highest floor: beta2 = 1/(1+r) is greatest at the least r, beta1 = r/(1+r) at the greatest. Of a
+    // body they are d1 and d2, and r is rho.
     const Floor light{-sine / (one + r_lo), "light"};
     const Floor heavy{sine * (r_hi / (one + r_hi)), "heavy"};
     const double least =

@@ -23,10 +23,13 @@ inline constexpr std::array<std::string_view, axis_count> axis_names{"phi", "phi
 struct Box {
     std::array<Rational, axis_count> lo;
     std::array<Rational, axis_count> hi;
+    std::optional<Rational> rho{};  ///< of a body with mass between its contacts (L70), whose Q is the ratio
 
     [[nodiscard]] const Rational& lower(Axis axis) const { return lo[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] const Rational& upper(Axis axis) const { return hi[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] bool is_point() const { return lo == hi; }
+    /// d1/d2: the mass ratio of the massless dumbbell whose ends are at the same distances.
+    [[nodiscard]] Rational ratio_of_distances() const { return rho ? 1 / *rho : lower(Axis::ratio); }
 };
 
 /// When all states of a leaf have their first contact, and with which mass.

@@ -11,8 +11,7 @@ namespace detail {
 
 template <class S>
 [[nodiscard]] State<Enclosure<S>> middle_of(const State<S>& s) {
-    return {midpoint(range(s.phi)),     midpoint(range(s.yhat)), midpoint(range(s.phidot)),
-            midpoint(range(s.yhatdot)), midpoint(range(s.r)),    Enclosure<S>(0)};
+    return mapped(s, [](const S& x) { return midpoint(range(x)); });
 }
 
 /// A better guess: Newton steps from the middle of the box, as many as the working precision needs.
@@ -84,8 +83,7 @@ template <class I>
     if (!times) {
         return std::nullopt;
     }
-    const State<I> centre{s.phi.centre(),     s.yhat.centre(), s.phidot.centre(),
-                          s.yhatdot.centre(), s.r.centre(),    s.time.centre()};
+    const State<I> centre = mapped(s, [](const Jet<I>& x) { return I(x.centre()); });
     const auto centre_times = contact_times(centre, mass, midpoint(*times));
     if (!centre_times || !certainly_at_most(low_end(*times), high_end(*centre_times)) ||
         !certainly_at_most(low_end(*centre_times), high_end(*times))) {

@@ -13,9 +13,9 @@ bool is_level(const Box& box, const std::optional<Angle>& phi) {
 
 bool grazes(const Box& box) {
     const Rational& y = box.lower(Axis::y);
-    const Rational& q = box.lower(Axis::ratio);
-    return is_exactly(box, Axis::ydot, 0) && is_exactly(box, Axis::y, y) && is_exactly(box, Axis::ratio, q) &&
-           y * (1 + q) == q;
+    const Rational q = box.ratio_of_distances();
+    return is_exactly(box, Axis::ydot, 0) && is_exactly(box, Axis::y, y) &&
+           is_exactly(box, Axis::ratio, box.lower(Axis::ratio)) && y * (1 + q) == q;
 }
 
 /// The time of a point's corner.
@@ -24,7 +24,7 @@ std::optional<Rational> corner(const Box& box) {
     const Rational& spin = box.lower(Axis::phidot);
     const Rational& height = box.lower(Axis::y);
     const Rational& climb = box.lower(Axis::ydot);
-    const Rational& q = box.lower(Axis::ratio);
+    const Rational q = box.ratio_of_distances();
     if (!box.is_point() || climb >= 0 || phi * climb != spin * height) {
         return std::nullopt;
     }

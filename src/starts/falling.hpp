@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "flight/reflection.hpp"
+#include "starts/body_count.hpp"
 #include "starts/first_flight.hpp"
 #include "starts/flight.hpp"
 #include "starts/later_count.hpp"
@@ -71,15 +72,14 @@ template <class I>
 template <class I>
 [[nodiscard]] I contact_angle(const State<I>& s, Mass mass, const I& times) {
     const I natural = s.phi + s.phidot * times;
-    const State<I> m{midpoint(s.phi),     midpoint(s.yhat), midpoint(s.phidot),
-                     midpoint(s.yhatdot), midpoint(s.r),    I(0)};
+    const State<I> m = detail::middle_of(s);
     const I t = midpoint(times);
     const I centre = intersection(times, t - clearance(m, mass, t) / clearance_rate(m, mass, times));
     const I rate = clearance_rate(s, mass, times);
     I change = s.yhatdot * ((s.phi - m.phi) + times * (s.phidot - m.phidot)) -
                s.phidot * ((s.yhat - m.yhat) + times * (s.yhatdot - m.yhatdot));
     if (mass == Mass::heavy) {
-        change = change + s.phidot * sin_cos(natural).sin * (s.r - m.r);
+        change = change + s.phidot * sin_cos(natural).sin * (s.heavy_height() - m.heavy_height());
     }
     return intersection(natural, m.phi + m.phidot * centre + change / rate);
 }
@@ -92,34 +92,38 @@ template <class I>
 /// the denominator having the sign of phidot' (times that of phidot). Where it keeps its sign the quotient
 /// decreases with m or n, and decreases (light) or increases (heavy) with c: the numerators of its
 /// derivatives are -(c^2 + r)^2 or -(1 + r c^2)^2, and -+2 (1 + r m^2) or -+2 (n^2 + r), times c^2 + r or
-/// 1 + r c^2.
+/// 1 + r c^2. Of a body the heavy end's 1 + r c^2 and 1 - r c^2 are g + rho c^2 and g - rho c^2 (L77).
 struct FirstReflection {
     bool light;
     bool falling;
 
     template <class I>
-    [[nodiscard]] I denominator(const I& x, const I& c, const I& r) const {
+    [[nodiscard]] I rest_of(const I& c, const flight::Body<I>& body) const {
+        return light ? body.r - sqr(c) : body.g - body.rho * sqr(c);
+    }
+    template <class I>
+    [[nodiscard]] I denominator(const I& x, const I& c, const flight::Body<I>& body) const {
         const I two_c = I(light == falling ? 2 : -2) * c;
-        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+        const I rest = rest_of(c, body);
         return falling ? x * rest + two_c : rest + x * two_c;
     }
     template <class I>
-    [[nodiscard]] I numerator(const I& x, const I& c, const I& r) const {
-        const I turn = I(light ? -2 : 2) * r * c;
-        const I rest = light ? r - sqr(c) : I(1) - r * sqr(c);
+    [[nodiscard]] I numerator(const I& x, const I& c, const flight::Body<I>& body) const {
+        const I turn = I(light ? -2 : 2) * body.r * c;
+        const I rest = rest_of(c, body);
         return falling ? rest + turn * x : turn - x * rest;
     }
     template <class I>
-    [[nodiscard]] I slope(const I& x, const I& c, const I& r) const {
-        return numerator(x, c, r) / denominator(x, c, r);
+    [[nodiscard]] I slope(const I& x, const I& c, const flight::Body<I>& body) const {
+        return numerator(x, c, body) / denominator(x, c, body);
     }
     /// Over all x (m or n) and c of these intervals, from two opposite ends. Precondition: the denominator
     /// keeps its sign.
     template <class I>
-    [[nodiscard]] I slopes(const I& x, const I& c, const I& r) const {
+    [[nodiscard]] I slopes(const I& x, const I& c, const flight::Body<I>& body) const {
         const I least_c = light ? high_end(c) : low_end(c);
         const I greatest_c = light ? low_end(c) : high_end(c);
-        return hull(slope(high_end(x), least_c, r), slope(low_end(x), greatest_c, r));
+        return hull(slope(high_end(x), least_c, body), slope(low_end(x), greatest_c, body));
     }
 };
 
@@ -239,8 +243,9 @@ template <class I>
     const SinCos<I> at = sin_cos(phi);
     const FirstReflection reflection{mass == Mass::light, falling};
     const I x = falling ? s.phidot / -s.yhatdot : s.yhatdot / s.phidot;
-    const I denominator = reflection.denominator(x, at.cos, s.r);
-    const I rise = reflection.numerator(x, at.cos, s.r);
+    const flight::Body<I> body = body_of(s);
+    const I denominator = reflection.denominator(x, at.cos, body);
+    const I rise = reflection.numerator(x, at.cos, body);
     if (certainly_at_most(magnitude(denominator), !falling && backwards ? -rise : rise)) {
         return {0, 0};  // L3, whatever the direction
     }
@@ -253,9 +258,10 @@ template <class I>
     if (way != Way::inward) {
         return way == Way::outward ? LaterCount{0, 0} : LaterCount{};
     }
-    const I yhat = mass == Mass::light ? -at.sin : s.r * at.sin;
-    return collisions_behind(outbound(phi, yhat, reflection.slopes(x, at.cos, s.r), right), s.r, mass,
-                             interrupted);
+    const I yhat = mass == Mass::light ? -at.sin : body.rho * at.sin;
+    const auto ray = outbound(phi, yhat, reflection.slopes(x, at.cos, body), right);
+    return s.is_body ? body_collisions_behind(ray, yhat, body, mass)
+                     : collisions_behind(ray, s.r, mass, interrupted);
 }
 
 }  // namespace dumbbell::starts

@@ -55,7 +55,7 @@ Suspicion after_contact(const State<I>& s, Mass left) {
     I c = d->height;
     result.corner = may_vanish(c);
     if (left == Mass::light) {
-        const Over bridge = over_hump(c, d->slope, s.r, pi<I>());
+        const Over bridge = over_hump(c, d->slope, s.heavy_height(), pi<I>());
         result.graze = bridge == Over::unknown;
         if (bridge == Over::hits) {
             return result;
@@ -93,7 +93,7 @@ template <class I>
 I lowest_time(const State<I>& middle, Mass mass, I t) {
     for (int bits = 27; bits < 2 * PrecisionScope::current(); bits *= 2) {
         const I turning = sqr(middle.phidot) * sin_cos(middle.phi + middle.phidot * t).sin;
-        const I bend = mass == Mass::light ? -turning : middle.r * turning;
+        const I bend = mass == Mass::light ? -turning : middle.heavy_height() * turning;
         t = midpoint(t - clearance_rate(middle, mass, t) / bend);
     }
     return t;
@@ -103,8 +103,8 @@ template <class I>
 Suspicion from_air(const State<I>& s) {
     const State<I> middle = middle_of(s);
     const double phi = approximate(s.phi), phidot = approximate(s.phidot), yhatdot = approximate(s.yhatdot);
-    const double r = approximate(s.r);
-    const auto guess = guess_first_contact(phi, approximate(s.yhat), phidot, yhatdot, r);
+    const double rho = approximate(s.heavy_height());
+    const auto guess = guess_first_contact(phi, approximate(s.yhat), phidot, yhatdot, rho);
     Suspicion result;
     if (guess) {
         const Mass other = guess->mass == Mass::light ? Mass::heavy : Mass::light;
@@ -117,7 +117,7 @@ Suspicion from_air(const State<I>& s) {
     }
     for (const Mass mass : {Mass::light, Mass::heavy}) {
         const bool light = mass == Mass::light;
-        for (const double time : lowest_times(phi, phidot, yhatdot, light ? phidot : -r * phidot, light,
+        for (const double time : lowest_times(phi, phidot, yhatdot, light ? phidot : -rho * phidot, light,
                                               guess ? std::optional(guess->time) : std::nullopt)) {
             result.graze = result.graze ||
                            (time > 0 && may_vanish(clearance(s, mass, lowest_time(middle, mass, I(time)))));
@@ -129,9 +129,7 @@ Suspicion from_air(const State<I>& s) {
 template <class S>
 Suspicion after_bounce(const Bounce<S>& b) {
     const State<S>& s = b.after;
-    return after_contact(State<Enclosure<S>>{range(s.phi), range(s.yhat), range(s.phidot), range(s.yhatdot),
-                                             range(s.r), range(s.time)},
-                         b.mass);
+    return after_contact(mapped(s, [](const S& x) { return Enclosure<S>(range(x)); }), b.mass);
 }
 
 inline Obstacle named(const Suspicion& found, bool may_be_flat) {

@@ -102,7 +102,7 @@ template <class S>
     }
     const auto guess = guess_first_contact(approximate(range(s.phi)), approximate(range(s.yhat)),
                                            approximate(range(s.phidot)), approximate(range(s.yhatdot)),
-                                           approximate(range(s.r)));
+                                           approximate(range(s.heavy_height())));
     if (guess) {
         const Mass mass = seemingly_first(s, *guess);
         auto time = contact_time(s, mass, I(guess->time));

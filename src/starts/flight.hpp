@@ -156,15 +156,15 @@ template <class S>
     S c = d->height;  // at the corner before the light wall ahead
     long corner = d->corner;
     if (left == Mass::light) {
-        if (!certainly_passes_bridge(*d, s.r)) {
+        if (!certainly_passes_bridge(*d, s.heavy_height())) {
             const auto x = guess_bridge_contact(approximate(range(d->height)), approximate(range(d->slope)),
-                                                approximate(range(s.r)));
+                                                approximate(range(s.heavy_height())));
             return x ? contact_behind_corner(s, *d, corner, Mass::heavy, I(*x), pi<I>()) : Event<S>{};
         }
         c = c + d->slope * S(pi<I>());
         corner += d->direction;
     }
-    // c > 0: the bridge is cleared, or left for good (L6 (c)). All collisions lie in one cell (L2 (b)): only
+    // c > 0: the bridge is cleared, or left. All collisions lie in one cell (L2 (b)): only
     // the light wall up to its peak is left.
     const flight::ContactGuess<I> guess =
         flight::guess_contact(midpoint(range(c)), midpoint(range(d->slope)));

@@ -5,6 +5,7 @@
 
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
+#include "starts/body_count.hpp"
 #include "starts/first_flight.hpp"
 #include "starts/jet.hpp"
 #include "starts/later_count.hpp"
@@ -26,6 +27,12 @@ struct Followed {
 
 inline constexpr long most_first_spans = 20000;
 
+/// No dumbbell with such a ratio has more; of bodies nothing is said.
+template <class S>
+[[nodiscard]] std::optional<long> most_of_all(const State<S>& s, const Interrupted& interrupted) {
+    return s.is_body ? std::nullopt : most_collisions(range(s.r), count_cap, interrupted);
+}
+
 /// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
 /// first flight's proof. `observer` is told of each collision. Interrupted it knows those so far, and that
 /// there are as many.
@@ -40,8 +47,7 @@ template <class S>
         return result;
     }
     if (first.next == Next::unknown) {
-        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0,
-                 most_collisions(range(start.r), count_cap, interrupted)};
+        total = {certainly_positive(-range(start.yhatdot)) ? 1 : 0, most_of_all(start, interrupted)};
         return result;
     }
     const auto done = [&] { return static_cast<long>(result.bounces.size()); };
@@ -62,10 +68,13 @@ template <class S>
         return result;
     }
     // Undecided here: the monotone counts may still know, from here or from an earlier collision on.
-    total = {done(), most_collisions(range(start.r), count_cap, interrupted)};
+    total = {done(), most_of_all(start, interrupted)};
     for (long i = 0; i < done() && !total.exact() && !interrupted(); ++i) {
         const auto& b = result.bounces[static_cast<std::size_t>(i)];
-        const LaterCount later = later_collisions(b.after, b.mass, interrupted);
+        const LaterCount later =
+            start.is_body ? body_collisions_behind(
+                                mapped(b.after, [](const S& x) { return Enclosure<S>(range(x)); }), b.mass)
+                          : later_collisions(b.after, b.mass, interrupted);
         total.least = std::max(total.least, i + 1 + later.least);
         if (later.most) {
             total.most = std::min(total.most.value_or(i + 1 + *later.most), i + 1 + *later.most);

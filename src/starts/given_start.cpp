@@ -36,8 +36,9 @@ int bits_of_bounds(int digits) {
 }
 
 GivenStart read_start(const StartText& text, const Rational& q_lo, const Rational& q_hi,
-                      const std::string& dashes, int bits) {
+                      const std::string& dashes, int bits, const std::optional<Rational>& rho) {
     GivenStart start;
+    start.box.rho = rho;
     set(start.box, Axis::ratio, {q_lo, q_hi});
     place_by_angle(start, text, dashes, bits);
     set(start.box, Axis::phidot, parse_quantity(dashes + "phidot", text.phidot));

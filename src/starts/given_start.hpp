@@ -30,8 +30,10 @@ struct GivenStart {
 [[nodiscard]] int bits_of_bounds(int digits);
 
 /// Reads it. `dashes`: what stands before the names of quantities in messages. `bits`: of the bounds of an
-/// irrational angle. Throws InputError for what cannot be read, and what require_in_play refuses.
+/// irrational angle. `rho`: of a body, whose Q is the ratio. Throws InputError for what cannot be read, and
+/// what require_in_play refuses.
 [[nodiscard]] GivenStart read_start(const StartText& text, const Rational& q_lo, const Rational& q_hi,
-                                    const std::string& dashes, int bits);
+                                    const std::string& dashes, int bits,
+                                    const std::optional<Rational>& rho = std::nullopt);
 
 }  // namespace dumbbell::starts

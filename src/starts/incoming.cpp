@@ -12,10 +12,10 @@ BigInterval spin(const Rational& s, const Rational& q) {
 
 }  // namespace
 
-Box incoming_box(const Rational& q) {
-    const Rational beta2 = q / (q + 1);
+Box incoming_box(const Rational& q, const std::optional<Rational>& rho) {
+    const Rational beta2 = rho ? 1 / (1 + *rho) : q / (q + 1);
     const Rational y = beta2 * (Rational(1) + Rational(1, Integer(1) << 20U));
-    return {{Rational(0), Rational(0), y, -beta2, q}, {Rational(2), Rational(1), y, -beta2, q}};
+    return {{Rational(0), Rational(0), y, -beta2, q}, {Rational(2), Rational(1), y, -beta2, q}, rho};
 }
 
 bool is_unbounded(const Box& piece) { return piece.upper(Axis::phidot) >= 1; }

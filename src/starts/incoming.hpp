@@ -9,8 +9,8 @@ namespace dumbbell::starts {
 
 /// The box of all of them in the coordinates of a certificate about them (format-initial.md, section 8): on
 /// the axis phi the angle in units of pi, 0 to 2; on the axis phidot s, 0 to 1; y and ydot those of
-/// yhat = 1 + 2^-20 and yhatdot = -1, for only the direction of a flight matters.
-[[nodiscard]] Box incoming_box(const Rational& q);
+/// yhat = 1 + 2^-20 and yhatdot = -1, for only the direction of a flight matters. Of a body with rho q is Q.
+[[nodiscard]] Box incoming_box(const Rational& q, const std::optional<Rational>& rho = std::nullopt);
 
 /// Whether the box reaches s = 1, where phidot has no end.
 [[nodiscard]] bool is_unbounded(const Box& piece);

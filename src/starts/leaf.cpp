@@ -31,7 +31,7 @@ template <class I>
 State<I> wider_state(const Box& box, int bits) {
     const I unit = slack_unit<I>(bits);
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], unit); };
-    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4));
+    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4), rho_of<I>(box), box.rho.has_value());
     s.r = has_equal_masses(box) ? I(1) : min(s.r, I(1));
     return s;
 }
@@ -100,7 +100,7 @@ Leaf judge_in(const Box& box, int bits) {
     if (event.next == Next::contact) {
         first = certain_window(s, event, bits);
     }
-    const auto bound = most_collisions(s.r);
+    const auto bound = box.rho ? most_of_all(box) : most_collisions(s.r);
     if (!first) {
         return {certainly_positive(-s.yhatdot) ? 1 : 0, bound};
     }
@@ -119,9 +119,14 @@ Interval inverse(const Rational& q) {
 
 }  // namespace
 
-Leaf judge_falling(const Rational& q) { return {1, most_collisions(inverse(q))}; }
+Leaf judge_falling(const Box& box) {
+    return {1, box.rho ? most_of_all(box) : most_collisions(inverse(box.upper(Axis::ratio)))};
+}
 
-std::optional<long> most_of_all(const Rational& q) { return most_collisions(inverse(q), 1L << 53U); }
+std::optional<long> most_of_all(const Box& box) {
+    const Rational& q = box.upper(Axis::ratio);
+    return box.rho ? most_collisions_of_body(q, *box.rho) : most_collisions(inverse(q), 1L << 53U);
+}
 
 Leaf judge(const Box& box, int bits) {
     Leaf leaf = judge_in<Interval>(box, double_bits);

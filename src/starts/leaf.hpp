@@ -9,11 +9,11 @@ namespace dumbbell::starts {
 /// slack. Precondition: require_in_play(box).
 [[nodiscard]] Leaf judge(const Box& box, int bits);
 
-/// What they certify of all falling states at this mass ratio.
-[[nodiscard]] Leaf judge_falling(const Rational& q);
+/// What they certify of all falling states at the mass ratios of the box.
+[[nodiscard]] Leaf judge_falling(const Box& box);
 
-/// No trajectory at a mass ratio up to q has more collisions (Theorem 1), also beyond the counts that a
-/// certificate's leaf may bound. Nothing beyond 2^53. Precondition: q >= 1.
-[[nodiscard]] std::optional<long> most_of_all(const Rational& q);
+/// No trajectory at a mass ratio of the box has more collisions (Theorem 1), also beyond the counts that a
+/// certificate's leaf may bound; of a body L72. Nothing beyond 2^53.
+[[nodiscard]] std::optional<long> most_of_all(const Box& box);
 
 }  // namespace dumbbell::starts

@@ -50,13 +50,13 @@ State<Tangent> centre_of(const Box& box) {
         const Rational centre = lo == box.hi[i] ? lo : (lo + box.hi[i]) / 2;
         return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
     };
-    return state_of(side(0), side(1), side(2), side(3), side(4));
+    return state_of(side(0), side(1), side(2), side(3), side(4),
+                    Tangent(box.rho.value_or(1).convert_to<double>()), box.rho.has_value());
 }
 
 /// The state itself, where an enclosure is asked for.
 State<Interval> point(const State<Tangent>& s) {
-    return {Interval(s.phi.value),     Interval(s.yhat.value), Interval(s.phidot.value),
-            Interval(s.yhatdot.value), Interval(s.r.value),    Interval(s.time.value)};
+    return mapped(s, [](const Tangent& x) { return Interval(x.value); });
 }
 
 /// After a contact at about this time: the derivatives of the time are those of a root of the clearance.
@@ -67,8 +67,8 @@ State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
 
 /// The first contact, if it seems that there is one and that it is no corner, where no orbit goes on.
 Event<Interval> first_contact(const State<Tangent>& s) {
-    const auto guess =
-        guess_first_contact(s.phi.value, s.yhat.value, s.phidot.value, s.yhatdot.value, s.r.value);
+    const auto guess = guess_first_contact(s.phi.value, s.yhat.value, s.phidot.value, s.yhatdot.value,
+                                           s.heavy_height().value);
     if (!guess) {
         return {};
     }

@@ -58,7 +58,7 @@ Judged judge(const Place& place, const Box& root, const SubdivideOptions& option
         return judge_states(states_of_incoming(box), place.depths, options);
     }
     const bool may = place.depths[static_cast<std::size_t>(Axis::phidot)] < options.max_depth;
-    return {judge_falling(box.lower(Axis::ratio)), may ? std::optional(Axis::phidot) : std::nullopt, {}};
+    return {judge_falling(box), may ? std::optional(Axis::phidot) : std::nullopt, {}};
 }
 
 void include(Subdivision& result, const Leaf& leaf, std::size_t depth) {

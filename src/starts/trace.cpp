@@ -73,14 +73,16 @@ Enclosure<S> grazing_sine(const Bounce<S>& b) {
     const I& climb = range(b.before.yhatdot);
     const I c = range(sin_cos(b.before.phi).cos);
     const I speed = sqrt(sqr(spin) + sqr(climb) / r);
+    const I& rho = range(b.before.heavy_height());
     return b.mass == Mass::light ? -(climb + c * spin) / (speed * sqrt(sqr(c) + r))
+           : b.before.is_body    ? -(climb - rho * c * spin) / (speed * sqrt(r + sqr(rho * c)))
                                  : -(climb - r * c * spin) / (speed * sqrt(r * (I(1) + r * sqr(c))));
 }
 
 template <class S>
 flight::Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
     const auto value = [&](const Enclosure<S>& x) { return traced_value(x, digits); };
-    const auto physical = [&](const S& hat) { return value(range(hat / (S(1) + b.before.r))); };
+    const auto physical = [&](const S& hat) { return value(range(hat / (S(1) + b.before.heavy_height()))); };
     return {b.mass == Mass::heavy,         value(range(b.after.time)),   value(range(b.after.phi)),
             physical(b.after.yhat),        physical(b.before.yhatdot),   physical(b.after.yhatdot),
             value(range(b.before.phidot)), value(range(b.after.phidot)), value(grazing_sine(b))};
@@ -88,7 +90,7 @@ flight::Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
 
 template <class S>
 double greatest_width(const State<S>& s) {
-    const S scale = S(1) + s.r;
+    const S scale = S(1) + s.heavy_height();
     return std::max({width(range(s.phi)), width(range(s.phidot)), width(range(s.yhat / scale)),
                      width(range(s.yhatdot / scale))});
 }

@@ -142,7 +142,7 @@ std::string decided_text(const Subdivision& parts) {
 }
 
 /// Whether theorem 6 is about what is asked.
-bool has_mean(const TraceReport& report) { return report.incoming && report.shares; }
+bool has_mean(const TraceReport& report) { return report.incoming && report.shares && !report.box.rho; }
 
 std::string subdivision_text(const TraceReport& report) {
     const Subdivision& parts = *report.parts;
@@ -245,11 +245,15 @@ std::string outcome_sentence(const TraceReport& report) {
 }
 
 std::string theorem_sentence(const TraceReport& report) {
-    return rests_on_theorem(report)
-               ? fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
+    if (!rests_on_theorem(report)) {
+        return "";
+    }
+    return report.box.rho
+               ? fmt::format("No motion of the body has more than {} (L72 of proofs/body.md).",
+                             plural(*report.maximum, "collision"))
+               : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
-                             exact_text(report.box.hi[4]), plural(*report.maximum, "collision"))
-               : "";
+                             exact_text(report.box.hi[4]), plural(*report.maximum, "collision"));
 }
 
 std::string verdict(const TraceReport& report) {
@@ -262,9 +266,10 @@ std::string to_text(const TraceReport& report) {
     std::string text;
     if (!report.trace.collisions.empty()) {
         text += fmt::format(
-            "Mass ratio {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
+            "{} {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
             "enclosed: "
             "value+-radius.\n",
+            report.box.rho ? fmt::format("Body of rho {}, Q", exact_text(*report.box.rho)) : "Mass ratio",
             report.box.lo[4] == report.box.hi[4]
                 ? exact_text(report.box.lo[4])
                 : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
@@ -299,6 +304,9 @@ Json to_json(const TraceReport& report) {
         }
         initial.add(name, axis);
     }
+    if (report.box.rho) {
+        initial.add("rho", to_fraction(*report.box.rho));
+    }
     Json collisions = Json::array();
     for (const auto& c : trace.collisions) {
         collisions.add(collision_json(c, report.digits > 0));
@@ -315,7 +323,9 @@ Json to_json(const TraceReport& report) {
          {"least", trace.least},
          {"most", trace.most},
          {"maximum", by_theorem ? report.maximum : std::nullopt},
-         {"rests_on", by_theorem ? Json("proofs/theorem.md, theorem 1") : Json()},
+         {"rests_on", !by_theorem      ? Json()
+                      : report.box.rho ? Json("proofs/body.md, L72")
+                                       : Json("proofs/theorem.md, theorem 1")},
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},
          {"collisions", collisions},

@@ -85,7 +85,8 @@ class Recentred<Jet<I>, n> {
 /// step is computed as a function of these three, at |phidot| = 1, and composed with what they are as
 /// functions of the first box. From light wall to light wall, turned so that the flight goes right, the next
 /// distance from the corner and slope do not decrease with the distance before, the slope or r (L5): the
-/// derivatives have one sign each, and their products make rounding errors no wider than orbits diverge.
+/// derivatives have one sign each, and their products make rounding errors no wider than orbits diverge. Of
+/// bodies with mass between their contacts, whose orbits are short, it is left out.
 template <class S>
 class WallToWall {
   public:
@@ -132,7 +133,7 @@ class WallToWall {
     std::optional<Step> stepwise(Next& next) const {
         const State<S>& from = last_.after;
         const bool right = certainly_positive(range(from.phidot));
-        if (!right && !certainly_positive(-range(from.phidot))) {
+        if (from.is_body || (!right && !certainly_positive(-range(from.phidot)))) {
             return std::nullopt;
         }
         const S along(right ? 1 : -1);

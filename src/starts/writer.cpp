@@ -64,7 +64,9 @@ SealedText render(const Certificate& certificate, const ForEach& for_each, Seale
     Totals totals;
     for_each([&](const Node& node) { totals.add(node); });
     require(totals.complete(), "certificate: the tree of initial conditions is not complete");
-    const auto& [lo, hi] = certificate.box;
+    require(!certificate.box.rho, "there are no certificates about starts of bodies");
+    const auto& lo = certificate.box.lo;
+    const auto& hi = certificate.box.hi;
     out.head(certificate.generator, "1", "dumbbell", "none",
              certificate.incoming ? "incoming" : "initial-conditions");
     out.line("ratio {} {}", to_fraction(lo[4]), to_fraction(hi[4]));

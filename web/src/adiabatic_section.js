@@ -93,11 +93,11 @@ export function adiabaticSection(file, isAlone) {
     return [
         h("h2", {}, `The adiabatic invariant: ${title}`),
         h("p", { class: "claim" }, of(file)),
+        h("h3", {}, "What is attained"),
+        attained(file),
         verifyBox(file),
         h("h3", {}, "The cover"),
         boxes(file),
-        h("h3", {}, "What is attained"),
-        attained(file),
         h("h3", {}, "Constants"),
         table("C rounded up, B down; exact in the file", ["what is bounded", "C, claimed", "B, attained", "C/B"], rows, [1, 2, 3]),
         table("Leaves of all trees", ["kind", "leaves"], [["bound", file.leaves.bound.toLocaleString("en")], ["outside", file.leaves.outside.toLocaleString("en")]], [1]),

@@ -17,7 +17,8 @@ function range(file) {
     return from < greatest ? { from, to: Math.min(to, greatest) } : null;
 }
 
-export function birth(file) {
+/// turned(q) is called when q is another.
+export function birth(file, turned) {
     const ends = range(file);
     if (!file.has_orbits || ends === null) {
         return null;
@@ -34,6 +35,7 @@ export function birth(file) {
         const { longest, other, name } = longestOrbit(q);
         view.setOrbit(longest, other);
         view.plane.draw();
+        turned(q);
         told.textContent = `q = ${show(q, 8)}: the longest orbit, ${name}, has ${plural(longest.collisions.length, "collision")}; the other one (faint) ${other.collisions.length}.`;
     }
     const jump = (text, by) => h("button", { type: "button", onclick: () => {
@@ -42,7 +44,7 @@ export function birth(file) {
     } }, text);
     turn(Math.sqrt(ends.from * ends.to));
     return h("figure", { class: "wide birth" },
-        h("div", { class: "controls transport" }, jump("\u25c0 Step before", -1), slider, jump("Next step \u25b6", 1)),
+        h("div", { class: "controls transport" }, slider, jump("\u25c0 Step before", -1), jump("Next step \u25b6", 1)),
         view.element, told,
         h("figcaption", {}, "Move q. Just below a step the faint orbit\u2019s first and last flights pass close above the floor curve; at the step they touch it, and from then on that orbit is the longest: it has gained a collision at either end. Computed by this page in double precision."));
 }

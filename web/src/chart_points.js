@@ -2,14 +2,14 @@
 
 /// [position, slope] of each collision in the chart `contact` (heavy) or `departure` (light), in order.
 export function chartPoints(orbit, chart) {
-    const { r } = orbit;
+    const { rho } = orbit;
     const points = [];
     for (const { psi, heavy, after } of orbit.collisions) {
         const side = after.vpsi < 0 ? 1 : -1; // mirrored if it leaves to the right
         const slope = after.vy / Math.abs(after.vpsi);
         if (chart === "contact" && heavy) {
             const t = Math.PI / 2 - side * psi;
-            points.push([t, slope / r - Math.cos(t)]);
+            points.push([t, slope / rho - Math.cos(t)]);
         }
         if (chart === "departure" && !heavy && side * psi > 0) {
             const e = side * psi - Math.PI / 2;

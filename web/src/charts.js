@@ -1,53 +1,23 @@
-// The charts of a section (format.md, format-sections.md): what their axes mean, and where their states are in the plane of
-// psi and the slope d yhat / d psi in the direction of travel.
+// The charts of a section (format.md, format-sections.md): what their axes mean.
 import { sum } from "./counts.js";
 import { show } from "./numbers.js";
 
-const bridge = {
-    about: "contacts of the heavy mass with the floor",
-    axes: { e: "e: angle from the corner", eta: "\u03b7: slope above the tangent, in units of r = 1/q" },
-    psi: (e) => Math.PI / 2 - e,
-    position: (psi) => Math.PI / 2 - psi,
-    slope: (e, eta, r) => r * (Math.cos(e) + eta),
-    steepness: (e, slope, r) => slope / r - Math.cos(e),
-    limit: Math.PI / 2,
-};
-const contact = {
-    ...bridge,
-    about: "contacts of the heavy mass with the floor that leave to the left",
-    axes: { t: "t: angle from the corner", eta: bridge.axes.eta },
-    limit: Math.PI,
-};
-const light = {
-    about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one",
-    axes: { e: "e: angle from the corner", lambda: "\u03bb: slope in units of r = 1/q" },
-    psi: (e) => Math.PI / 2 + e,
-    position: (psi) => psi - Math.PI / 2,
-    slope: (e, lambda, r) => r * lambda,
-    steepness: (e, slope, r) => slope / r,
-    limit: Math.PI / 2,
-};
+const position = "e: angle from the corner";
+const slope = "\u03b7: slope above the tangent";
+const inUnits = ", in units of r = 1/q";
+const lambda = `\u03bb: slope${inUnits}`;
+const contact = { t: "t: angle from the corner", eta: `${slope}${inUnits} (of a body: of \u03c1)` };
 
 const charts = {
-    bridge,
-    contact,
-    again: { ...contact, about: "the same contacts once more: none of them comes back to the heavy mass" },
-    light,
-    departure: {
-        ...light,
-        about: "collisions of the light mass, in any direction, that cross the cell next",
-        axes: { e: light.axes.e, eta: "\u03b7: slope above the tangent" },
-        slope: (e, eta) => eta - Math.cos(e),
-        steepness: (e, slope) => slope + Math.cos(e),
-    },
-    wedge: {
-        about: "slopes of turning collisions; the wedge has no scale, so no position",
-        axes: { lambda: "\u03bb: slope in units of r = 1/q", e: "" },
-        psi: null, // no physical coordinates
-    },
+    bridge: { about: "contacts of the heavy mass with the floor", axes: { e: position, eta: contact.eta } },
+    contact: { about: "contacts of the heavy mass with the floor that leave to the left", axes: contact },
+    again: { about: "the same contacts once more: none of them comes back to the heavy mass", axes: contact },
+    light: { about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one", axes: { e: position, lambda } },
+    departure: { about: "collisions of the light mass, in any direction, that cross the cell next", axes: { e: position, eta: slope } },
+    wedge: { about: "slopes of turning collisions; the wedge has no scale, so no position", axes: { lambda, e: "" } },
 };
 
-export const chartNamed = (name) => charts[name];
+export const chartAbout = (name) => charts[name].about;
 
 export const axisLabel = (chart, name) => (name === "q" ? "q: mass ratio, heavy over light" : (charts[chart]?.axes[name] ?? name));
 

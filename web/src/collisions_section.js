@@ -10,21 +10,22 @@ import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
 import { staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
+import { Unfolded } from "./unfolded.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 
-const rangeText = ({ lo_text, hi_text }) => (lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`);
+const rangeText = ({ symbol, lo_text, hi_text }) => (lo_text === hi_text ? `${symbol} = ${shortened(lo_text)}` : `${symbol} from ${shortened(lo_text)} to ${shortened(hi_text)}`);
 
 const valueText = ({ status, upper, lower }) =>
     status === "exact" ? `N = ${upper}` : status === "gap" ? `N = ${lower} or ${upper}` : upper === null ? `N \u2265 ${lower}` : `${lower} \u2264 N \u2264 ${upper}`;
 
 function claimText(file) {
-    const { pieces, lo_text, hi_text } = file;
+    const { pieces, symbol, ratio, where, lo_text, hi_text } = file;
     const number = (status) => pieces.filter((p) => p.status === status).length;
     if (lo_text === hi_text && pieces.length === 1 && pieces[0].status === "exact") {
         const n = pieces[0].upper;
-        return `With mass ratio q = ${shortened(lo_text)} no trajectory hits the floor more than ${n} times, and some trajectory does so ${n} times: N(q) = ${n}.`;
+        return `With ${ratio} = ${shortened(lo_text)} no trajectory${where} hits the floor more than ${n} times, and some trajectory does so ${n} times: N(${symbol}) = ${n}.`;
     }
-    const parts = [`${plural(number("exact"), "piece")} with one value of N(q)`];
+    const parts = [`${plural(number("exact"), "piece")} with one value of N(${symbol})`];
     if (number("gap") > 0) {
         parts.push(`${plural(number("gap"), "gap")} around the steps, with two neighbouring values`);
     }
@@ -32,11 +33,11 @@ function claimText(file) {
         parts.push(`${plural(number("open"), "open piece")}, not decided`);
     }
     const span = file.upper === null ? `at least ${file.lower}` : `from ${file.lower} to ${file.upper}`;
-    return `For every mass ratio q from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(q) of collisions of any trajectory${file.where}: ${span}, in ${parts.join(" and ")}.`;
+    return `For every ${ratio} from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(${symbol}) of collisions of any trajectory${where}: ${span}, in ${parts.join(" and ")}.`;
 }
 
 function coverNote(file) {
-    if (!file.has_orbits) {
+    if (!file.has_orbits && !file.rho) {
         return "In a wedge only the slope counts, so the cover of a single ratio is a line of intervals.";
     }
     return file.section === "turning"
@@ -51,7 +52,7 @@ function coverSource(file) {
         tree,
         chart: tree.chart,
         explain: `${i + 1}:${tree.chart}`,
-        marks: file.has_orbits ? (q) => marksOf(tree.chart, q, piece) : null,
+        marks: file.has_orbits || file.rho ? (q) => marksOf(file, tree.chart, q, piece) : null,
     })));
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
     return {
@@ -59,14 +60,12 @@ function coverSource(file) {
         choices,
         first: largest,
         kinds: file.kinds,
-        countOf: (kind) => (isCount(kind) ? total(kind) : null),
         describe: leafText,
         file: file.verify_file,
         note: coverNote(file),
         colourings: [
             {
                 text: "by number of collisions",
-                isByCount: true,
                 paint: (kind) => shade(kind.colour),
                 label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
                 order: (kind) => (isCount(kind) ? Number(total(kind)) : Infinity),
@@ -82,8 +81,8 @@ function coverSource(file) {
 }
 
 /// The witness and the two extremal orbits in a chart's coordinates.
-function marksOf(chart, q, piece) {
-    const witness = piece.witness && orbitOf(piece, q);
+function marksOf(file, chart, q, piece) {
+    const witness = piece.witness?.e && orbitOf(file, piece, q);
     const { top, corner } = extremalOrbits(q);
     if (chart === "bridge") {
         const start = piece.witness && [toNumber(parse(piece.witness.e)), toNumber(parse(piece.witness.eta))];
@@ -99,64 +98,51 @@ function marksOf(chart, q, piece) {
     const name = chart === "again" ? "contact" : chart;
     const chain = (orbit, ink, text) => ({ colour: ink, text, points: chartPoints(orbit, name) });
     return [
-        chain(top, "--mark-top", "extremal: over the top"),
-        chain(corner, "--mark-corner", "extremal: out of the corner"),
+        ...(file.rho ? [] : [chain(top, "--mark-top", "extremal: over the top"), chain(corner, "--mark-corner", "extremal: out of the corner")]),
         ...(witness ? [chain(witness, "--mark", "witness")] : []),
     ].filter(({ points }) => points.length > 0);
 }
 
-const orbitOf = (piece, q) => {
+const orbitOf = ({ rho }, piece, q) => {
     const { chart, e, eta } = piece.witness;
-    return chart === "wedge" ? wedgeOrbit(toNumber(parse(eta)), q) : bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q);
+    return chart === "wedge" ? wedgeOrbit(toNumber(parse(eta)), q) : bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q, rho ? toNumber(parse(rho)) : 1 / q);
 };
 
-/// The witness orbits, at any ratio of their pieces.
+/// The witness orbits, at the middle of their pieces.
 function witnesses(file, moves) {
-    const pieces = file.pieces.filter((piece) => piece.witness);
+    const pieces = file.pieces.filter((piece) => piece.witness?.e);
     if (pieces.length === 0) {
         return null;
     }
     const player = new Player();
     const about = h("p", { class: "note" });
-    const load = (i, share) => {
+    const load = (i) => {
         const piece = pieces[i];
         const [lo, hi] = [toNumber(parse(piece.lo)), toNumber(parse(piece.hi))];
-        const q = lo * (hi / lo) ** share;
+        const q = lo * Math.sqrt(hi / lo);
         const { e, eta, forward, backward, chart } = piece.witness;
-        const orbit = orbitOf(piece, q);
+        const orbit = orbitOf(file, piece, q);
         const claimed = total(piece.witness);
         player.load(orbit);
         const found = orbit.collisions.length;
-        const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy mass at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
+        const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy ${file.rho ? "end" : "mass"} at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
+        const said = chart === "corner" ? `motions close to the corner have ${plural(claimed, "collision")}` : `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all`;
         about.replaceChildren(
             h("strong", {}, `Claimed by the file: `),
-            `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all, for every ${rangeText(piece)}. `,
+            `${said}, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}. `,
             h("strong", {}, "Computed by this page: "),
-            `the motion from this start at q = ${show(q, 10)}, in double precision, as an illustration. `,
-            found < claimed ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
+            `the motion from ${chart === "corner" ? `a ${start}` : "this start"} at ${piece.symbol} = ${show(q, 10)}, in double precision, as an illustration. `,
+            found < claimed && chart !== "corner" ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
         );
     };
-    let chosen = Math.max(0, pieces.length - 1);
-    let share = 0.5;
-    const controls = [];
-    if (pieces.length > 1) {
-        controls.push(labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), chosen, (i) => {
-            chosen = Number(i);
-            load(chosen, share);
-        })));
-    }
-    if (pieces.some((p) => p.lo !== p.hi)) {
-        controls.push(labelled("at q", select([[0, "the lower end"], [0.5, "the middle"], [1, "the upper end"]], share, (value) => {
-            share = Number(value);
-            load(chosen, share);
-        })));
-    }
-    load(chosen, share);
+    const last = pieces.length - 1;
+    const choice = last > 0 && labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), last, (i) => load(Number(i))));
+    load(last);
     if (moves) {
         player.playOnce();
     }
-    return h("figure", { class: "wide" }, h("div", { class: "controls" }, controls), about, player.element, h("figcaption", {}, file.has_orbits
-        ? "A witness orbit: the dumbbell, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {}, file.has_orbits || file.rho
+        ? "A witness orbit: the dumbbell (or the line between a body\u2019s contacts), and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
         : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
 }
 
@@ -166,9 +152,9 @@ function piecesTable(file) {
     const isBounded = file.pieces.some((p) => p.paper);
     const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
     const paper = (p) => (p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "");
-    const row = (p) => [ends(p), valueText(p), ...(isBounded ? [paper(p)] : []), p.equal_masses ? "by L7" : p.leaves.toLocaleString("en"), String(p.bits),
+    const row = (p) => [ends(p), valueText(p), ...(isBounded ? [paper(p)] : []), p.equal_masses ? "by L7" : p.symmetric ? "by L72" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${total(p.witness)} collisions` : ""];
-    const head = ["mass ratio", "claimed", ...(isBounded ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
+    const head = [file.rho ? "Q" : "mass ratio", "claimed", ...(isBounded ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
     const boxesColumn = head.indexOf("boxes");
     const totals = Object.entries(file.totals).map(([reason, leaves]) => [reason, leaves.toLocaleString("en")]);
     return h(
@@ -196,10 +182,11 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
     const isRange = file.lo_text !== file.hi_text;
     const hasBoxes = file.pieces.some((piece) => piece.trees.length > 0);
     const played = witnesses(file, isFirst);
-    const born = birth(file);
+    const unfolded = file.has_orbits && new Unfolded();
+    const born = birth(file, (q) => unfolded.show(q));
     return [
         h("h2", {}, `${file.system}, ${rangeText(file)}`),
-        h("p", { class: "claim" }, claimText(file), file.section !== "turning" ? " The heavy mass hits the floor at most once." : ""),
+        h("p", { class: "claim" }, claimText(file), file.section !== "turning" && !file.rho ? " The heavy mass hits the floor at most once." : ""),
         played && h("h3", {}, "The witness orbits"),
         played,
         verifyBox(file),
@@ -207,6 +194,8 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
         isRange && staircase(file, constant).element,
         born && h("h3", {}, "How one more collision is born"),
         born,
+        unfolded && h("h3", {}, "Why not more? The wedge, unfolded"),
+        unfolded.element,
         hasBoxes && coverPart(file),
         piecesTable(file),
         foundations(file, isAlone),

@@ -1,12 +1,11 @@
 // The boxes of a cover, with their reasons. What a file's boxes mean comes as `source`:
 //   choices: [{text, tree (data), chart, explain (the verifier's path to the root), marks}]
 //   first: index of the choice shown at first;  kinds;  colourings: [{text, paint(kind): a colour or "hatched", label(kind), order(kind)}]
-//   countOf(kind): the count that its colour stands for, if there is one (the colouring then has isByCount)
 //   describe(kind, chart): a leaf in a line;  note: text below;  file: for the verifier;  play(): plays what was simulated last
 //   simulate(point): follows it, and says what it found; the picture then has a start that can be dragged
 import { h, labelled, output, select } from "./dom.js";
 import { drawBoxes } from "./boxes.js";
-import { axisLabel, boxText, chartNamed } from "./charts.js";
+import { axisLabel, boxText, chartAbout } from "./charts.js";
 import { drawMarks } from "./marks.js";
 import { plural, show } from "./numbers.js";
 import { Plane } from "./plane.js";
@@ -17,12 +16,6 @@ import { BoxTree } from "./tree.js";
 const hint = "Point at a box, or move the picture with the arrow keys: what lies in the middle is told here.";
 
 const startHint = "Drag the dot, or move it with shift and the arrow keys: what is certified of that start is told here, beside what the page simulates.";
-
-/// What explains holes in the counts of a legend.
-function legendNote(counts) {
-    const different = [...new Set(counts.map(BigInt))].sort((a, b) => (a < b ? -1 : 1));
-    return different.at(-1) - different[0] >= different.length ? "A count that the legend leaves out belongs to no box." : "";
-}
 
 class Cover {
     constructor(source) {
@@ -69,13 +62,10 @@ class Cover {
         this.index = index;
         this.choice.boxes ??= new BoxTree(this.choice.tree);
         this.tree = this.choice.boxes;
-        this.chart = chartNamed(this.choice.chart);
-        const wide = this.tree.axes.map((axis, a) => (axis.hi > axis.lo ? a : -1)).filter((a) => a >= 0);
-        this.wide = wide;
-        this.x = wide[0] ?? 0;
-        this.y = wide[1] ?? (this.x === 0 ? 1 : 0);
+        this.wide = this.tree.axes.map((axis, a) => (axis.hi > axis.lo ? a : -1)).filter((a) => a >= 0);
+        this.x = this.wide[0] ?? 0;
+        this.y = this.wide[1] ?? (this.x === 0 ? 1 : 0);
         this.fixed = this.tree.axes.map(({ lo, hi }) => (lo + hi) / 2);
-        this.isPhysical = this.isPhysical && Boolean(this.chart?.psi);
         this.fillControls();
         this.fit();
     }
@@ -85,13 +75,6 @@ class Cover {
         const controls = [];
         if (choices.length > 1) {
             controls.push(labelled("Cover", select(choices.map((c, i) => [i, c.text]), this.index, (i) => this.choose(Number(i)))));
-        }
-        if (this.chart?.psi) {
-            const physical = select([["chart", "of the chart"], ["physical", "physical: \u03c8 and slope"]], this.isPhysical ? "physical" : "chart", (value) => {
-                this.isPhysical = value === "physical";
-                this.fit();
-            });
-            controls.push(labelled("Coordinates", physical));
         }
         if (!this.choice.chart && this.wide.length > 2) {
             const axes = this.wide.map((a) => [a, this.tree.axes[a].name]);
@@ -159,53 +142,37 @@ class Cover {
         }));
         const { leaves, shown } = this.tree;
         const thinned = leaves > shown ? `${leaves.toLocaleString("en")} boxes of the file are drawn as ${shown.toLocaleString("en")}: one with a diagonal stands for several and shows the greatest count among them.` : `${boxes(leaves)}.`;
-        const counts = [...present].map((i) => this.source.countOf?.(this.source.kinds[i])).filter((n) => n !== undefined && n !== null);
-        const note = isThinned ? "The legend has some of the colours only." : this.colouring.isByCount && counts.length > 0 ? legendNote(counts) : "";
-        this.counter.textContent = [thinned, note, this.chart ? `Chart ${this.choice.chart}: ${this.chart.about}.` : ""].filter(Boolean).join(" ");
-    }
-
-    /// The ratio at which slopes are shown, for the physical coordinates.
-    get r() { return 1 / this.fixed[2]; }
-
-    get map() {
-        if (!this.isPhysical) {
-            return null;
-        }
-        const { r, chart } = this;
-        return { x: chart.psi, y: (a, b) => chart.slope(a, b, r) / (1 + r) }; // of rod lengths, not of beta2
+        this.counter.textContent = [thinned, isThinned ? "The legend has some of the colours only." : "", this.choice.chart ? `Chart ${this.choice.chart}: ${chartAbout(this.choice.chart)}.` : ""].filter(Boolean).join(" ");
     }
 
     fit() {
         const [x, y] = [this.tree.axes[this.x], this.tree.axes[this.y]];
-        let home = { x0: x.lo, x1: x.hi, y0: y.lo, y1: y.hi };
-        if (this.isPhysical) {
-            const ends = [this.chart.psi(0), this.chart.psi(this.chart.limit)].sort((a, b) => a - b);
-            home = { x0: ends[0], x1: ends[1], y0: this.choice.chart === "departure" ? -1 : Math.min(0, -this.r * 1.2), y1: 1 };
-        }
-        const dx = (home.x1 - home.x0 || 1) * 0.02;
-        const dy = (home.y1 - home.y0 || 1) * 0.02;
-        this.plane.setHome({ x0: home.x0 - dx, x1: home.x1 + dx, y0: home.y0 - dy, y1: home.y1 + dy });
+        const dx = (x.hi - x.lo || 1) * 0.02;
+        const dy = (y.hi - y.lo || 1) * 0.02;
+        this.plane.setHome({ x0: x.lo - dx, x1: x.hi + dx, y0: y.lo - dy, y1: y.hi + dy });
     }
 
-    isAngle(axis) { return this.isPhysical ? axis === this.x : ["e", "t", "phi", "u"].includes(this.tree.axes[axis].name); }
+    isAngle(axis) { return ["e", "t", "phi", "u"].includes(this.tree.axes[axis].name); }
 
     label(axis) {
-        if (this.isPhysical) {
-            return axis === this.x ? "\u03c8 = \u03c6 \u2212 \u03c0/2: angle of the rod from upright" : "slope dy/d\u03c8 of the flight, rod lengths per radian";
-        }
         return this.source.axisText?.[this.tree.axes[axis].name] ?? axisLabel(this.choice.chart, this.tree.axes[axis].name);
     }
 
     draw(plane) {
         const fixed = this.fixed.map((x, a) => (a === this.x || a === this.y ? NaN : x));
         const paint = (i) => this.colouring.paint(this.source.kinds[i]);
-        drawBoxes(plane, { tree: this.tree, xAxis: this.x, yAxis: this.y, fixed, map: this.map, paint, ink: colour("--box-ink") });
+        drawBoxes(plane, { tree: this.tree, xAxis: this.x, yAxis: this.y, fixed, paint, ink: colour("--box-ink") });
         if (this.choice.marks && this.x === 0 && this.y === 1) {
-            drawMarks(plane, this.choice.marks(1 / this.r), this.map);
+            drawMarks(plane, this.choice.marks(this.fixed[2]));
         }
         if (this.start) {
             plane.dot(this.fixed[this.x], this.fixed[this.y], 6, "--mark", 2);
         }
+    }
+
+    startAt(point) {
+        this.fixed = point;
+        this.fillSliders();
     }
 
     /// The start is the point through which the picture cuts.
@@ -225,19 +192,14 @@ class Cover {
     /// The place in the tree's own coordinates.
     point(x, y) {
         const point = [...this.fixed];
-        if (this.isPhysical) {
-            point[0] = this.chart.position(x);
-            point[1] = this.chart.steepness(point[0], y * (1 + this.r), this.r);
-        } else {
-            point[this.x] = x;
-            point[this.y] = y;
-        }
+        point[this.x] = x;
+        point[this.y] = y;
         return point;
     }
 
-    /// Outlines the box that is told about; not in physical coordinates, where it is no rectangle.
+    /// Outlines the box that is told about.
     mark(leaf) {
-        this.outline.hidden = !leaf || this.isPhysical;
+        this.outline.hidden = !leaf;
         if (this.outline.hidden) {
             return;
         }

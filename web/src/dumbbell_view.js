@@ -27,18 +27,18 @@ export class DumbbellView {
     /// height: what the picture must hold, in rod lengths; at(t): the state at another time, for the trail, which begins with the
     /// orbit.
     setOrbit(orbit, height, at) {
-        this.r = orbit.r;
+        this.rho = orbit.rho;
         this.at = at;
         this.picture.setAttribute("viewBox", `${-across / 2} ${-height} ${across} ${height}`);
-        this.masses.heavy.setAttribute("stroke-width", least * Math.min(3.2, orbit.q ** 0.28));
+        this.masses.heavy.setAttribute("stroke-width", least * Math.min(3.2, orbit.rho ** -0.28));
     }
 
     /// Where the masses and their centre are.
     places({ psi, y }) {
-        const beta2 = 1 / (1 + this.r);
+        const beta2 = 1 / (1 + this.rho);
         // phi = psi + pi/2: sin phi = cos psi, cos phi = -sin psi
         const at = (share) => [-share * Math.sin(psi), -y * beta2 - share * Math.cos(psi)];
-        return { light: at(beta2), heavy: at(-this.r * beta2), centre: at(0) };
+        return { light: at(beta2), heavy: at(-this.rho * beta2), centre: at(0) };
     }
 
     show(state, hit) {

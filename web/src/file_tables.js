@@ -4,7 +4,7 @@ import { lemmaRows } from "./lemmas.js";
 import { verified } from "./verifier/outcome.js";
 import { hasVerifier } from "./verifier/verification.js";
 
-export const verifyCommand = (file) => `dumbbell verify ${file.verify_options} ${file.verify_file}`;
+const verifyCommand = (file) => `dumbbell verify ${file.verify_options} ${file.verify_file}`;
 
 /// The file as it was given to dumbbell report.
 const fileOf = ({ bytes, name }) => new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name);
@@ -29,7 +29,6 @@ export function foundations(file, isOpen) {
             ["written by", file.generator],
             ["claim", file.section ? `${file.claim}, section ${file.section}` : file.claim],
             ["SHA-256 of its text (last line)", h("code", { class: "hash" }, file.sha256)],
-            ["verify", h("code", {}, verifyCommand(file))],
         ]),
         h("p", { class: "note" }, "The checksum agrees with the text: the file is not damaged. It proves nothing, as whoever forges a file can compute one."),
     );

@@ -1,21 +1,21 @@
-// The dumbbell as a point (psi, y) above its floor (lemma L0): y in units of beta2, psi = phi - pi/2, r = 1/q. Doubles: an
-// illustration, no proof.
+// The dumbbell as a point (psi, y) above its floor (lemma L0): y in units of beta2, psi = phi - pi/2, r = 1/q. A body with mass
+// between its contacts (L70) has a floor of its own, rho for r. Doubles: an illustration, no proof.
 
 const mostPieces = 100000; // monotone pieces of one flight
 
-/// The floor under the light mass is -cos psi, under the heavy one r cos psi.
-export const floorAt = (psi, r) => Math.max(-Math.cos(psi), r * Math.cos(psi));
+/// The floor under the light mass is -cos psi, under the heavy one rho cos psi.
+export const floorAt = (psi, rho) => Math.max(-Math.cos(psi), rho * Math.cos(psi));
 
 /// The velocity behind a collision: equation (1) of L0.
-export function reflected(state, heavy, r) {
-    const slope = heavy ? -r * Math.sin(state.psi) : Math.sin(state.psi);
+export function reflected(state, heavy, r, rho = r) {
+    const slope = heavy ? -rho * Math.sin(state.psi) : Math.sin(state.psi);
     const k = (2 * (state.vy - slope * state.vpsi)) / (slope * slope + r);
     return { vpsi: state.vpsi + k * slope, vy: state.vy - k * r };
 }
 
 /// The sine of the angle between flight and floor, in the metric of the kinetic energy.
-export function grazingSine(state, heavy, r) {
-    const slope = heavy ? -r * Math.sin(state.psi) : Math.sin(state.psi);
+export function grazingSine(state, heavy, r, rho = r) {
+    const slope = heavy ? -rho * Math.sin(state.psi) : Math.sin(state.psi);
     const speed = Math.sqrt(state.vpsi ** 2 + state.vy ** 2 / r);
     return Math.abs(state.vy - slope * state.vpsi) / Math.sqrt(slope * slope + r) / speed;
 }
@@ -44,9 +44,10 @@ function firstFall({ psi, y, vpsi, vy }, A, until) {
         return (way + circle * k) / Math.abs(vpsi);
     };
     const order = turns.map((angle) => time(angle, 0)).sort((a, b) => a - b);
-    let from = 0;
+    let from = vy < 0 ? Math.max(0, (y - Math.abs(A)) / -vy) : 0; // before that it is too high
+    const skipped = Math.floor((from * Math.abs(vpsi)) / circle); // turns
     for (let i = 0; i < mostPieces; ++i) {
-        const turn = order.length > 0 ? order[i % order.length] + (circle * Math.floor(i / order.length)) / Math.abs(vpsi) : Infinity;
+        const turn = order.length > 0 ? order[i % order.length] + (circle * (skipped + Math.floor(i / order.length))) / Math.abs(vpsi) : Infinity;
         const to = Math.min(until, turn);
         if (to > from && clearance(to) < 0 && clearance((from + to) / 2) < clearance(from) + 1e-300) {
             return fall(clearance, from, to);
@@ -76,11 +77,11 @@ function fall(clearance, from, to) {
 }
 
 /// The next contact {after, heavy} of a flight, or null. `left`: the mass that it has just left the floor with.
-export function nextContact(state, r, left = null) {
+export function nextContact(state, rho, left = null) {
     const until = horizon(state);
     let next = null;
     for (const heavy of [false, true]) {
-        const after = firstFall(state, heavy ? -r : 1, next?.after ?? until);
+        const after = firstFall(state, heavy ? -rho : 1, next?.after ?? until);
         if (after !== null && !(left === heavy && after < 1e-12 * (1 + until))) {
             next = { after, heavy };
         }

@@ -5,7 +5,7 @@ import { h, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { Player } from "./player.js";
-import { parse, toNumber } from "./rational.js";
+import { fromDecimal, parse, subtract, toNumber } from "./rational.js";
 import { colour, shade } from "./theme.js";
 
 const names = { phi: "\u03c6: angle of the rod", phidot: "\u03c6\u2032: its velocity", y: "y: height of the centre of mass, rod lengths", ydot: "y\u2032: its velocity", q: "q: mass ratio, heavy over light", phi_over_pi: "\u03c6/\u03c0: angle of the rod where it comes in, over \u03c0", s: "s: sine of the angle between its flight and the vertical" };
@@ -41,7 +41,6 @@ function source(file, own, beside) {
         title: `The boxes of initial conditions of ${file.name}`,
         choices: [{ text: "box", tree: file.tree, chart: null, explain: "box", marks: null }],
         kinds: file.kinds,
-        countOf: (kind) => (isExact(kind) ? kind.least : null),
         axisText: names,
         describe: (kind) => `${isExact(kind) ? "Exactly " : ""}${countText(kind)}${kind.first ? `, the first one of the ${kind.first} mass` : ""}`,
         file: file.verify_file,
@@ -52,7 +51,6 @@ function source(file, own, beside) {
         colourings: [
             {
                 text: "by number of collisions",
-                isByCount: true,
                 paint: (kind) => (kind.colour ? shade(kind.colour) : "hatched"),
                 label: (kind) => (isExact(kind) ? plural(kind.least, "collision") : "not decided"),
                 order: (kind) => (isExact(kind) ? Number(kind.least) : Infinity),
@@ -79,21 +77,42 @@ function claimText(file) {
     return `Every trajectory that starts in the box ${axes} and meets no corner later has ${countsText(file)}; in each part of the box as many as the table says. Nothing is said about other starts, and so nothing about N(q).`;
 }
 
-const plain = (text) => shortened(text.endsWith("/1") ? text.slice(0, -2) : text).replace("-", "\u2212");
+/// As a decimal, if that is the same number.
+function plain(text) {
+    const decimal = String(toNumber(parse(text)));
+    const isSame = !decimal.includes("e") && subtract(parse(text), fromDecimal(decimal)).n === 0n;
+    return (isSame ? decimal : shortened(text)).replace("-", "\u2212");
+}
 
-export function initialSection(file, own, isAlone) {
+/// The middle of the largest box with the most collisions.
+function longest({ kinds }, tree) {
+    const best = { rank: -1 };
+    tree.walk(tree.axes.map(() => NaN), () => false, () => false, (box, kind) => {
+        const share = tree.axes.reduce((part, { lo, hi }, a) => (hi > lo ? (part * (box[2 * a + 1] - box[2 * a])) / (hi - lo) : part), 1);
+        const rank = isExact(kinds[kind]) ? Number(kinds[kind].least) + share / 2 : 0;
+        Object.assign(best, rank > best.rank && { rank, middle: tree.axes.map((_, a) => (box[2 * a] + box[2 * a + 1]) / 2) });
+    });
+    return best.middle;
+}
+
+/// isFirst: of the page.
+export function initialSection(file, own, isAlone, isFirst) {
     const isIncoming = file.claim === "incoming";
     const shares = file.shares.map(({ collisions, share, boxes }) => [collisions === null ? "not decided" : `exactly ${collisions}`, `${show(Number(share) * 100, 5)} %`, boxes.toLocaleString("en")]);
     const beside = new Player();
     const boxes = source(file, own, beside);
     const map = cover(boxes);
+    map.startAt(longest(file, map.tree));
     boxes.simulate(map.fixed);
+    if (isFirst) {
+        beside.playOnce();
+    }
     return [
         h("h2", {}, isIncoming ? "Incoming trajectories" : "Initial conditions"),
         h("p", { class: "claim" }, claimText(file)),
-        verifyBox(file),
         h("h3", {}, "The cover, and the motion from the start in it"),
         h("div", { class: "pair" }, map.element, beside.element),
+        verifyBox(file),
         h("h3", {}, isIncoming ? "How many of them" : "How much of the box"),
         table("Shares (rounded)", ["collisions", "share", "boxes"], shares, [1, 2]),
         foundations(file, isAlone),

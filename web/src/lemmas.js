@@ -31,9 +31,15 @@ const lemmas = {
     L40: "Corners cost nothing: a motion on a stretch of time has at most N(q) collisions",
     L60: "A start\u2019s flights from contact to contact",
     L61: "The natural measure on incoming trajectories",
+    L70: "A rigid body with mass between its contacts: L0 with two numbers, Q and \u03c1",
+    L71: "All its collision states, counted forward",
+    L72: "Symmetric bodies (\u03c1 = 1) have \u2308\u03c0/corner\u2309 collisions, and a bound for all",
+    L73: "So many collisions are possible close to the corner of any body",
+    L74: "Witness: a body\u2019s orbit that has so many collisions",
+    L75: "Q\u03c1 = 1 is the massless dumbbell",
 };
 
-const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [39, "proofs/adiabatic.md"], [99, "proofs/lemmas.md"]];
+const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [39, "proofs/adiabatic.md"], [70, "proofs/lemmas.md"], [99, "proofs/body.md"]];
 const numerical = ["L12", "L13", "L14"];
 
 const starts = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L7", ...numerical, "L21", "L40", "L60"];
@@ -44,6 +50,7 @@ const sets = {
     plain: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
     wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
     hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
+    body: ["L1", "L2", "L3", "L4", "L6", ...numerical, "L16", "L70", "L71", "L72", "L73", "L74", "L75"],
     "initial-conditions": starts,
     incoming: [...starts, "L61"],
     "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],

@@ -5,8 +5,7 @@ import { parseReport } from "./counts.js";
 import { h, labelled, select } from "./dom.js";
 import { initialSection } from "./initial_section.js";
 import { OwnStart } from "./own_start.js";
-import { openForPrint } from "./print.js";
-import { linkedStart } from "./start.js";
+import { linkedStart, numberFrom } from "./start.js";
 import { setTheme, useColours, watchTheme } from "./theme.js";
 import { hasVerifier, licences } from "./verifier/verification.js";
 
@@ -22,10 +21,10 @@ function header(data) {
     );
 }
 
-const mostNames = 3; // of files, in the title
+const greatest = 1e6; // mass ratio whose orbits are soon followed
 
-/// Nine collisions, by `dumbbell trace`, too.
-const firstStart = { q: "100", phi: "-0.2", phidot: "1", y: "0.8", ydot: "-0.1" };
+/// At the ratio of the first file, if it has one; nine collisions at q = 100, by `dumbbell trace`, too.
+const firstStart = ([{ lo_text: q, hi_text }]) => ({ q: q === hi_text && numberFrom(q) <= greatest ? q : "100", phi: "-1.4", phidot: "1", y: "1", ydot: "-0.8" });
 
 function sectionOf(file, data, own, isFirst) {
     const isAlone = data.files.length === 1;
@@ -34,7 +33,7 @@ function sectionOf(file, data, own, isFirst) {
             return collisionsSection(file, Number(data.growth_constant), isAlone, isFirst);
         case "initial-conditions":
         case "incoming":
-            return initialSection(file, own, isAlone);
+            return initialSection(file, own, isAlone, isFirst);
         default:
             return adiabaticSection(file, isAlone);
     }
@@ -43,9 +42,8 @@ function sectionOf(file, data, own, isFirst) {
 const data = parseReport(document.getElementById("data").textContent);
 useColours(data.colours);
 watchTheme();
-openForPrint();
-const own = new OwnStart(firstStart);
-document.title = `dumbbell report: ${data.files.length > mostNames ? `${data.files.length} files` : data.files.map((file) => file.name).join(", ")}`;
+const own = new OwnStart(firstStart(data.files));
+document.title = `dumbbell report: ${data.files.length > 1 ? `${data.files.length} files` : data.files[0].name}`;
 document.getElementById("page").replaceChildren(
     header(data),
     ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own, i === 0).filter(Boolean))),

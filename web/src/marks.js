@@ -2,16 +2,15 @@
 import { colour } from "./theme.js";
 
 /// marks: [{colour (CSS variable), text, points: [[position, slope], ...]}] in chart coordinates; each a chain of dots, named at
-/// its first one that is in the window. map as in boxes.js.
-export function drawMarks(plane, marks, map) {
-    const chains = marks.map(({ points, ...mark }) => ({ ...mark, at: points.map(([a, b]) => (map ? [map.x(a), map.y(a, b)] : [a, b])) }));
-    for (const { colour: ink, at } of chains) {
+/// its first one that is in the window.
+export function drawMarks(plane, marks) {
+    for (const { colour: ink, points: at } of marks) {
         plane.line(at, ink, 1.25, [4, 3]);
         at.forEach(([x, y], i) => plane.dot(x, y, i === 0 ? 5 : 3.5, ink, 1.5));
     }
     const w = plane.window;
     const labels = [];
-    for (const { at, text, colour: ink } of chains) {
+    for (const { points: at, text, colour: ink } of marks) {
         const first = at.find(([x, y]) => x >= w.x0 && x <= w.x1 && y >= w.y0 && y <= w.y1);
         if (first) {
             drawLabel(plane, [plane.X(first[0]), plane.Y(first[1])], text, colour(ink), labels);

@@ -1,4 +1,4 @@
-// Orbits: {q, r, collisions: [{t, psi, y, heavy, before, after}], first, last, complete}: velocities {vpsi, vy}; `first` and `last` are the
+// Orbits: {q, rho, collisions: [{t, psi, y, heavy, before, after}], first, last, complete}: velocities {vpsi, vy}; `first` and `last` are the
 // flights before and after the collisions, as a state {t, psi, y, vpsi, vy} on each and a time until which to show it. `isCorner`:
 // it ends where both masses hit the floor at once, and no motion is defined.
 import { nextContact, reflected } from "./flight.js";
@@ -6,7 +6,7 @@ import { nextContact, reflected } from "./flight.js";
 export const mostCollisions = 20000; // followed
 
 /// Heights are computed in units of beta2; this many rod lengths are that (a wedge has no unit).
-export const lengthUnit = ({ scene, r }) => (scene === "wedge" ? 1 : 1 / (1 + r));
+export const lengthUnit = ({ scene, rho }) => (scene === "wedge" ? 1 : 1 / (1 + rho));
 
 const cornerRange = 1e-11; // of angles: closer to flat, doubles do not tell which mass hits first
 
@@ -36,14 +36,16 @@ export function orbitFromContact(q, state, heavy) {
     return forward(q, { ...state, ...after, t: 0 }, collision, { ...state, t: 0, until: -back });
 }
 
-function forward(q, state, collision, first) {
+/// Of a body with the heights rho (L70): q is its Q.
+export function forward(q, state, collision, first, rho = 1 / q) {
     const r = 1 / q;
     const collisions = collision ? [collision] : [];
     let complete = true;
     let isCorner = false;
     for (;;) {
-        const next = nextContact(state, r, collisions.at(-1)?.heavy ?? null);
+        const next = nextContact(state, rho, collisions.at(-1)?.heavy ?? null);
         if (!next) {
+            complete = !(state.vy < 0); // what falls hits the floor: doubles did not find where
             break;
         }
         if (collisions.length >= mostCollisions) {
@@ -57,17 +59,17 @@ function forward(q, state, collision, first) {
             break;
         }
         const before = { vpsi: state.vpsi, vy: state.vy };
-        const after = reflected({ ...at, ...before }, next.heavy, r);
+        const after = reflected({ ...at, ...before }, next.heavy, r, rho);
         collisions.push({ ...at, heavy: next.heavy, before, after });
         state = { ...at, ...after };
     }
-    const until = isCorner ? state.t + nextContact(state, r, collisions.at(-1)?.heavy ?? null).after : state.t + shownAfter(state);
-    return { q, r, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
+    const until = isCorner ? state.t + nextContact(state, rho, collisions.at(-1)?.heavy ?? null).after : state.t + shownAfter(state);
+    return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
 }
 
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
 /// one, each with times from the middle on.
-export function joined(q, middle, out, back, scene) {
+export function joined(q, middle, out, back, scene, rho = 1 / q) {
     const past = back.map((c) => ({ ...c, t: -c.t, before: reversed(c.after), after: reversed(c.before) })).reverse();
     const all = [...past, middle, ...out];
     const zero = all[0].t;
@@ -77,7 +79,7 @@ export function joined(q, middle, out, back, scene) {
     const last = { t: b.t, psi: b.psi, y: b.y, ...b.after };
     return {
         q,
-        r: 1 / q,
+        rho,
         collisions,
         first: { ...first, until: first.t - shownAfter({ y: a.y, ...reversed(a.before) }) },
         last: { ...last, until: last.t + shownAfter(last) },

@@ -86,7 +86,9 @@ export class OwnStart {
             ? `In doubles: ${n}.`
             : orbit.isCorner
               ? `In doubles: ${n}, then both masses hit the floor at once, and no motion is defined.`
-              : `Followed for ${mostCollisions.toLocaleString("en")} collisions only.`;
+              : orbit.collisions.length < mostCollisions
+                ? `In doubles: ${n}, then it turns too fast to be followed while it falls.`
+                : `Followed for ${mostCollisions.toLocaleString("en")} collisions only.`;
         this.message.textContent = `${isSwapped ? "Ratios below 1: the masses are swapped, q \u2192 1/q. " : ""}${found}`;
         const words = this.inputs.map((input) => inLetters(input.value));
         const options = fields.slice(1).map(([name], i) => `--${name} ${words[i + 1]}`).join(" ");

@@ -61,7 +61,7 @@ export class PhaseView {
     }
 
     floor(psi) {
-        return this.orbit.scene === "wedge" ? Math.abs(psi) - Math.PI / 2 : floorAt(psi, this.orbit.r) * this.unit;
+        return this.orbit.scene === "wedge" ? Math.abs(psi) - Math.PI / 2 : floorAt(psi, this.orbit.rho) * this.unit;
     }
 
     isHeavy(psi) {

@@ -7,13 +7,11 @@ import { linearTicks } from "./ticks.js";
 import { moveByKeys, moveByPointer } from "./gestures.js";
 
 const margin = { left: 62, right: 14, top: 12, bottom: 56 };
-const narrow = 520; // px of the frame; below, the label below makes room for the buttons
 const slowMs = 14; // a drawing that takes longer is replaced by a stretched copy while the window moves
 
 /// options: home {x0, x1, y0, y1}; draw(plane); title (for those who do not see it); xLabel, yLabel: text or function;
 /// xTicks, yTicks: as linearTicks; probe(x, y): called with what lies under the pointer, or under the middle for keys, null when
-/// the pointer leaves; click(x, y); handle {x(), y(), move(x, y)}: a place that can be dragged; height in px; least: smallest window
-/// {x, y}; fixedY: zooming leaves y as it is.
+/// the pointer leaves; click(x, y); handle {x(), y(), move(x, y)}: a place that can be dragged; height in px; least {x, y}: of a window.
 export class Plane {
     constructor(options) {
         this.options = { xTicks: linearTicks, yTicks: linearTicks, height: 380, least: { x: 1e-14, y: 1e-14 }, ...options };
@@ -22,7 +20,6 @@ export class Plane {
         this.context = this.canvas.getContext("2d");
         this.home = { ...options.home };
         this.window = { ...options.home };
-        this.probed = null;
         this.element = h("div", { class: "plane" }, this.canvas, this.buttons());
         moveByPointer(this);
         moveByKeys(this);
@@ -62,9 +59,9 @@ export class Plane {
     /// Scales the window by `factor` about (x, y), by default its middle.
     zoom(factor, x = (this.window.x0 + this.window.x1) / 2, y = (this.window.y0 + this.window.y1) / 2) {
         const w = this.window;
-        const { least, fixedY } = this.options;
+        const { least } = this.options;
         const fx = Math.max(factor, least.x / (w.x1 - w.x0));
-        const fy = fixedY ? 1 : Math.max(factor, least.y / (w.y1 - w.y0));
+        const fy = Math.max(factor, least.y / (w.y1 - w.y0));
         this.window = { x0: x + (w.x0 - x) * fx, x1: x + (w.x1 - x) * fx, y0: y + (w.y0 - y) * fy, y1: y + (w.y1 - y) * fy };
         this.moved();
     }
@@ -73,7 +70,7 @@ export class Plane {
     pan(dx, dy) {
         const w = this.window;
         const x = dx * (w.x1 - w.x0);
-        const y = this.options.fixedY ? 0 : dy * (w.y1 - w.y0);
+        const y = dy * (w.y1 - w.y0);
         this.window = { x0: w.x0 + x, x1: w.x1 + x, y0: w.y0 + y, y1: w.y1 + y };
         this.moved();
     }
@@ -96,7 +93,6 @@ export class Plane {
 
     /// What is said about the place (x, y).
     probe(x, y) {
-        this.probed = x === null ? null : { x, y };
         this.options.probe?.(x, y);
     }
 
@@ -188,11 +184,9 @@ export class Plane {
             this.rule(frame.x, this.Y(at), frame.x + frame.width, this.Y(at));
             c.fillText(text, frame.x - 7, this.Y(at));
         }
-        const isNarrow = frame.width < narrow;
-        c.textAlign = isNarrow ? "left" : "center";
-        c.textBaseline = "middle";
-        c.fillText(label(options.xLabel), isNarrow ? 4 : frame.x + frame.width / 2, frame.y + frame.height + margin.bottom - 15);
         c.textAlign = "center";
+        c.textBaseline = "middle";
+        c.fillText(label(options.xLabel), frame.x + frame.width / 2, frame.y + frame.height + margin.bottom - 15);
         c.save();
         c.translate(13, frame.y + frame.height / 2);
         c.rotate(-Math.PI / 2);

@@ -1,4 +1,4 @@
-// An orbit, collision by collision: the dumbbell and its point, with play, step, scrub, speed and slow motion near collisions. With
+// An orbit, collision by collision: the dumbbell and its point, with play, step, scrub and speed. With
 // `prefers-reduced-motion` nothing glides: play goes from collision to collision.
 import { Clock } from "./clock.js";
 import { h, labelled, output, select, table } from "./dom.js";
@@ -17,7 +17,6 @@ const mostFlights = 30; // played without being asked
 export class Player {
     constructor() {
         this.speed = 1;
-        this.isSlow = true;
         this.dumbbell = new DumbbellView();
         this.phase = new PhaseView();
         this.status = output("readout tall");
@@ -39,7 +38,6 @@ export class Player {
                 this.button("Step \u25b6", () => this.step(1)),
                 this.position,
                 labelled("Speed", select([[0.25, "\u00bc"], [0.5, "\u00bd"], [1, "1"], [2, "2"], [5, "5"], [20, "20"]], 1, (value) => (this.speed = Number(value)))),
-                h("label", { class: "labelled" }, h("input", { type: "checkbox", checked: true, onchange: (event) => this.setSlow(event.target.checked) }), h("span", {}, "slow near collisions")),
             ),
             this.status,
             this.details,
@@ -59,18 +57,13 @@ export class Player {
         this.dumbbell.element.hidden = !isDumbbell;
         this.element.classList.toggle("single", !isDumbbell);
         const from = this.clock.times[0];
-        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.r) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
+        this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.rho) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
         this.phase.setOrbit(orbit);
         this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? "; heights in rod lengths" : ""})`;
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
         this.goto(0);
         this.fillRows();
-    }
-
-    setSlow(isSlow) {
-        this.isSlow = isSlow;
-        this.goto(this.p);
     }
 
     goto(p) {
@@ -80,7 +73,7 @@ export class Player {
         const { collisions } = this.orbit;
         const hit = Math.abs(this.p - whole) < hitRange ? (collisions[whole - 1] ?? null) : null;
         const isAt = hit !== null && Math.abs(this.p - whole) < 1e-9;
-        const time = isAt ? hit.t : this.clock.time(this.p, this.isSlow);
+        const time = isAt ? hit.t : this.clock.time(this.p);
         const state = stateAt(this.orbit, time);
         this.dumbbell.show(state, hit);
         this.phase.show(state);
@@ -88,7 +81,7 @@ export class Player {
     }
 
     tell(state, hit) {
-        const { collisions, r, complete, isCorner, scene } = this.orbit;
+        const { collisions, q, rho, complete, isCorner, scene } = this.orbit;
         const unit = lengthUnit(this.orbit);
         const n = `${collisions.length}${complete ? "" : " or more"}`;
         const all = `${n} ${collisions.length === 1 ? "collision" : "collisions"}`;
@@ -101,7 +94,7 @@ export class Player {
                 ? `After ${collisions.length === 1 ? "the only collision" : `all ${all}`}: ${end}`
                 : `Between collisions ${state.done} and ${state.done + 1} of ${n}`;
         const numbers = hit
-            ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, r), 3)}`
+            ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, 1 / q, rho), 3)}`
             : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy * unit, 4)}`;
         this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)}${scene === "wedge" ? "" : " rod lengths"}; ${numbers}.`;
     }
@@ -157,7 +150,7 @@ export class Player {
                 this.goto(Math.floor(this.p + 1e-9) + 1);
             }
         } else {
-            this.goto(this.clock.later(this.p, seconds, this.isSlow));
+            this.goto(this.clock.later(this.p, seconds));
         }
         if (this.p >= this.clock.flights) {
             this.stop();
@@ -184,11 +177,11 @@ export class Player {
         if (!this.details.open || this.rows.childElementCount > 0) {
             return;
         }
-        const { collisions, r } = this.orbit;
+        const { collisions, q, rho } = this.orbit;
         const unit = lengthUnit(this.orbit);
         const rows = collisions.slice(0, mostRows).map((c, i) => [
             i + 1, c.heavy ? "heavy" : "light", show(c.t), show(c.psi), show(c.y * unit), show(c.before.vpsi), show(c.before.vy * unit), show(c.after.vpsi), show(c.after.vy * unit),
-            show(grazingSine({ ...c, ...c.before }, c.heavy, r), 3),
+            show(grazingSine({ ...c, ...c.before }, c.heavy, 1 / q, rho), 3),
         ].map(String));
         const head = ["#", "mass", "time", "\u03c8", "y", "\u03c8\u2032 before", "y\u2032 before", "\u03c8\u2032 after", "y\u2032 after", "grazing sine"];
         const caption = collisions.length > mostRows ? `The first ${mostRows} of ${collisions.length} collisions` : "Collisions";

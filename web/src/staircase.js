@@ -15,13 +15,13 @@ const nearPaper = 7; // so close to the maximum, the paper's bound is shown besi
 
 /// q as x of the plane and back; `origin` is an exact decimal in a window close to a step.
 const scales = {
-    log: () => ({
+    log: (ratio) => ({
         x: (exact) => Math.log10(toNumber(exact)),
         xOf: (q) => Math.log10(q),
         q: (x) => 10 ** x,
         text: (x) => show(10 ** x, 10),
         ticks: logTicks,
-        label: "mass ratio q, heavy over light (logarithmic)",
+        label: `${ratio}${ratio.endsWith("q") ? ", heavy over light" : ""} (logarithmic)`,
     }),
     local: (origin) => {
         const from = fromDecimal(origin);
@@ -44,14 +44,14 @@ class Staircase {
         this.base = [file.upper, file.lower].some((n) => typeof n === "bigint") ? BigInt(file.lower) : null;
         this.isCompared = file.has_orbits && this.base === null;
         this.gaps = this.pieces.filter((piece) => piece.status === "gap");
-        this.rescale(scales.log());
+        this.rescale(scales.log(this.file.ratio));
         const top = Math.max(...this.pieces.map((p) => Math.max(this.height(p.upper ?? p.lower), this.paper(p))));
         this.home = { x0: this.x0[0], x1: this.x1.at(-1), y0: 0, y1: top * 1.06 + 0.5 };
         const space = (this.home.x1 - this.home.x0) * 0.015;
         this.home.x0 -= space;
         this.home.x1 += space;
         this.plane = new Plane({
-            title: `Staircase: the greatest number of collisions against the mass ratio, from ${file.lo_text} to ${file.hi_text}`,
+            title: `Staircase: the greatest number of collisions against the ${file.ratio}, from ${file.lo_text} to ${file.hi_text}`,
             home: this.home,
             height: 400,
             xLabel: () => this.scale.label,
@@ -106,7 +106,7 @@ class Staircase {
         if (!(q > 0 && x >= this.home.x0 && x <= this.home.x1)) {
             this.choice.value = "";
             this.whole();
-            this.readout.textContent = q > 0 ? `The file says nothing about q = ${show(q, 10)}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
+            this.readout.textContent = q > 0 ? `The file says nothing about q = ${text.trim()}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
             return;
         }
         this.whole();
@@ -118,7 +118,7 @@ class Staircase {
 
     whole() {
         this.choice.value = "";
-        this.rescale(scales.log());
+        this.rescale(scales.log(this.file.ratio));
         this.plane.setHome(this.home);
     }
 
@@ -234,7 +234,7 @@ class Staircase {
         }[status];
         const q = this.scale.q(x);
         const beside = this.isCompared ? `; the paper\u2019s bound ${paperBound(q)}, 2 + C\u221aq = ${show(growth(q, this.constant), 5)}` : "";
-        this.readout.textContent = `At q = ${this.scale.text(x)}: ${value}${beside}. Piece ${i + 1}: ${range}.`;
+        this.readout.textContent = `At ${this.file.symbol} = ${this.scale.text(x)}: ${value}${beside}. Piece ${i + 1}: ${range}.`;
     }
 
     caption() {

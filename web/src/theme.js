@@ -60,7 +60,13 @@ export function setTheme(name) {
 
 export function watchTheme() {
     matchMedia(asTheSystem).addEventListener("change", redrawAll);
-    // Paper is white.
-    addEventListener("beforeprint", () => show("light"));
-    addEventListener("afterprint", () => show(chosen));
+    // Paper is white, and nothing can be unfolded on it.
+    addEventListener("beforeprint", () => {
+        show("light");
+        document.querySelectorAll("details:not([open])").forEach((details) => (details.open = details.classList.toggle("closed")));
+    });
+    addEventListener("afterprint", () => {
+        show(chosen);
+        document.querySelectorAll("details.closed").forEach((details) => (details.open = details.classList.toggle("closed")));
+    });
 }

@@ -6,7 +6,7 @@ export class BoxTree {
     /// data: {nodes, axes: [{name, lo, hi}], leaves, stands_for}
     constructor(data) {
         this.nodes = Int32Array.from(data.nodes);
-        this.axes = data.axes.map(({ name, lo, hi }) => ({ name, lo: toNumber(parse(lo)), hi: toNumber(parse(hi)), exact: [lo, hi] }));
+        this.axes = data.axes.map(({ name, lo, hi }) => ({ name, lo: toNumber(parse(lo)), hi: toNumber(parse(hi)) }));
         this.leaves = data.leaves;
         this.standsFor = data.stands_for;
         const n = this.nodes.length;

@@ -1,7 +1,7 @@
 // The orbit of a certificate's witness, and the two extremal orbits: rays that go from wall to wall by lemma L4. The start and the
 // numbers of collisions are the certificate's; what is between is computed here in doubles, as an illustration.
 import { reflected } from "./flight.js";
-import { joined, mostCollisions } from "./orbit.js";
+import { forward, joined, mostCollisions } from "./orbit.js";
 
 /// |dpsi/dt| on a flight of slope kappa, in the unit of time in which psi'^2 + q y'^2 = 1.
 const speed = (kappa, r) => 1 / Math.sqrt(1 + (kappa * kappa) / r);
@@ -53,13 +53,14 @@ export function follow(c, kappa, r, direction, run) {
     return collisions;
 }
 
-/// The contact (e, eta) of the chart bridge, with all that comes before and after it.
-export function bridgeOrbit(e, eta, q) {
+/// The contact (e, eta) of the chart bridge, with all that comes before and after it; of a body with the heights rho, too (L74).
+export function bridgeOrbit(e, eta, q, rho = 1 / q) {
     const r = 1 / q;
+    const R = q * rho * rho;
     const s = Math.cos(e);
-    const etaBack = (eta * (1 + r * s * s)) / (1 + r * s * s + 2 * r * s * eta);
-    const [out, back] = [r * (s + eta), r * (etaBack - s)];
-    const height = r * Math.sin(e);
+    const etaBack = (eta * (1 + R * s * s)) / (1 + R * s * s + 2 * R * s * eta);
+    const [out, back] = [rho * (s + eta), rho * (etaBack - s)];
+    const height = rho * Math.sin(e);
     const middle = {
         t: 0,
         psi: Math.PI / 2 - e,
@@ -68,13 +69,11 @@ export function bridgeOrbit(e, eta, q) {
         before: { vpsi: -speed(back, r), vy: -back * speed(back, r) },
         after: { vpsi: -speed(out, r), vy: out * speed(out, r) },
     };
-    return joined(
-        q,
-        middle,
-        follow(height + out * (Math.PI - e), out, r, -1, Math.PI - e),
-        follow(height + back * e, back, r, +1, e),
-        "dumbbell",
-    );
+    const way = (slope, direction, run) => {
+        const after = { vpsi: direction * speed(slope, r), vy: slope * speed(slope, r) };
+        return rho === r ? follow(height + slope * run, slope, r, direction, run) : forward(q, { ...middle, ...after }, middle, middle, rho).collisions.slice(1);
+    };
+    return joined(q, middle, way(out, -1, Math.PI - e), way(back, +1, e), "dumbbell", rho);
 }
 
 /// In a wedge with straight walls y = |psi| - pi/2, from the distance x of the corner: the ray to the other side.

@@ -1,17 +1,20 @@
 (** All steps of an orbit lie where the conditions speak (L54 of law.md).
 
-    bulk_steps, layer_from == the steps of the bulk come first, then those of the layer
-    L54a_bulk   == J >= pi/2 - 4.13 eps^2 in the bulk, and the sum of its defects
-    L54b_layer  == J >= pi/2 - 5.3 eps^2/u^3 at the contacts of the layer
-    followed, L54 == what is known of the whole orbit, given the conditions *)
+    convex, lost    == three slopes that (C10) gives, and with them what J may lose up to an angle, in eps^2
+    growing, area   == a bound of M that grows with the angle, and its integral
+    gained, missed  == what (C9) gives up to an angle, from above and from below
+    bulk_first      == the steps of the bulk come first, then those of the layer
+    L54a_bulk       == J >= pi/2 - 4.13 eps^2 in the bulk, and the sum of its defects
+    L54b_layer      == J >= pi/2 - 5.3 eps^2/u^3 at the contacts of the layer
+    followed, L54   == what is known of the whole orbit, given the conditions *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Sines Cubes Angles Falls Orbit Clock Ends Windows.
+From Interval Require Import Tactic.
+From Dumbbell Require Import LawStatement Sines Angles Falls Orbit Clock Ends Windows Place.
 Local Open Scope R_scope.
 
-(** Three slopes: convex, for bounds from above; and concave, with its corners on the other side. *)
+(** Three slopes, for a bound from above. *)
 Definition convex p q r a := p * a + (q - p) * Rmax 0 (a - 0.5985) + (r - q) * Rmax 0 (a - 0.6985).
-Definition concave p q r a := r * a + (q - r) * Rmin a 0.7015 + (p - q) * Rmin a 0.6015.
 Lemma convex_step p q r a a' th g : p <= q <= r -> a <= a' -> a' - 0.0026 <= a -> th - 0.0013 <= a ->
   a' <= th + 0.0013 ->
   (th <= 0.6 -> g <= p * (a' - a)) -> (0.6 <= th <= 0.7 -> g <= q * (a' - a)) -> (0.7 <= th -> g <= r * (a' - a)) ->
@@ -32,23 +35,6 @@ Proof.
   assert (E2 : z = a' - a) by (apply M4; lra). assert (Z2 : (r - q) * z = (r - q) * (a' - a)) by now rewrite E2.
   specialize (H3 ltac:(lra)). unfold x, z in *. lra.
 Qed.
-Lemma concave_step p q r a a' th g : r <= q <= p -> a <= a' -> th - 0.0013 <= a -> a' <= th + 0.0013 ->
-  (th <= 0.6 -> g <= p * (a' - a)) -> (0.6 <= th <= 0.7 -> g <= q * (a' - a)) -> (0.7 <= th -> g <= r * (a' - a)) ->
-  g <= concave p q r a' - concave p q r a.
-Proof.
-  intros H A B B' H1 H2 H3. unfold concave.
-  assert (M : forall k, 0 <= Rmin a' k - Rmin a k /\ (a' <= k -> Rmin a' k - Rmin a k = a' - a)).
-  { intros k. unfold Rmin. destruct (Rle_dec a' k), (Rle_dec a k); lra. }
-  destruct (M 0.6015) as [M1 M2]. destruct (M 0.7015) as [M3 M4].
-  set (x := Rmin a' 0.6015 - Rmin a 0.6015) in *. set (z := Rmin a' 0.7015 - Rmin a 0.7015) in *.
-  assert (X : 0 <= (p - q) * x) by (apply Rmult_le_pos; lra).
-  assert (Z : 0 <= (q - r) * z) by (apply Rmult_le_pos; lra).
-  destruct (Rle_dec 0.7 th) as [T|T]; [specialize (H3 T); unfold x, z in *; lra|].
-  assert (E : z = a' - a) by (apply M4; lra). assert (Z2 : (q - r) * z = (q - r) * (a' - a)) by now rewrite E.
-  destruct (Rle_dec 0.6 th) as [T2|T2]; [specialize (H2 ltac:(lra)); unfold x, z in *; lra|].
-  assert (E2 : x = a' - a) by (apply M2; lra). assert (X2 : (p - q) * x = (p - q) * (a' - a)) by now rewrite E2.
-  specialize (H1 ltac:(lra)). unfold x, z in *. lra.
-Qed.
 Lemma convex_range p q r a : 0 <= p <= q -> q <= r -> 0 <= a <= 0.7957 ->
   0 <= convex p q r a <= p * 0.7957 + (q - p) * 0.1972 + (r - q) * 0.0972.
 Proof.
@@ -62,17 +48,48 @@ Proof.
   assert (0 <= (r - q) * Rmax 0 (a - 0.6985)) by (apply Rmult_le_pos; lra).
   assert ((r - q) * Rmax 0 (a - 0.6985) <= (r - q) * 0.0972) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
-Lemma concave_range p q r a : 0 <= r <= q -> q <= p -> 0 <= a <= 0.7957 ->
-  0 <= concave p q r a <= r * 0.7957 + (q - r) * 0.7015 + (p - q) * 0.6015.
+
+(** A bound of M that grows; on a step it is that of the angle th, which lies between those of the two contacts. *)
+Definition growing e c t := e + 0.94 * t^2 - 1.035 * t^4 + c * t^8.
+Definition area e c a := e * a + 0.94 / 3 * a^3 - 1.035 / 5 * a^5 + c / 9 * a^9.
+Lemma growing_grows e c a b : 1.007 <= c -> 0 <= a <= b -> b <= 0.8 -> growing e c a <= growing e c b.
 Proof.
-  intros Hp Hr Ha. unfold concave.
-  assert (M : forall k, 0 <= k -> 0 <= Rmin a k <= k) by (intros k Hk; unfold Rmin; destruct (Rle_dec a k); lra).
-  assert (A := M 0.7015 ltac:(lra)). assert (B := M 0.6015 ltac:(lra)).
-  assert (0 <= r * a) by (apply Rmult_le_pos; lra). assert (r * a <= r * 0.7957) by (apply Rmult_le_compat_l; lra).
-  assert (0 <= (q - r) * Rmin a 0.7015) by (apply Rmult_le_pos; lra).
-  assert ((q - r) * Rmin a 0.7015 <= (q - r) * 0.7015) by (apply Rmult_le_compat_l; lra).
-  assert (0 <= (p - q) * Rmin a 0.6015) by (apply Rmult_le_pos; lra).
-  assert ((p - q) * Rmin a 0.6015 <= (p - q) * 0.6015) by (apply Rmult_le_compat_l; lra). lra.
+  intros Hc H Hb. destruct (Req_dec a b) as [->|Z]; [lra|].
+  destruct (MVT_cor2 (growing e c) (fun t => t * (1.88 - 4.14 * t^2 + 8 * c * t^6)) a b) as [s [E Hs]]; [lra | |].
+  { intros t _. apply is_derive_Reals. unfold growing. auto_derive; [easy | lra]. }
+  assert (V : 0 <= 1.88 - 4.14 * s^2 + 8 * 1.007 * s^6).
+  { assert (B : 0 <= s <= 0.8) by lra. clear -B. interval with (i_bisect s). }
+  assert (W : 1.007 * s^6 <= c * s^6) by (apply Rmult_le_compat_r; [apply pow_le|]; lra).
+  assert (0 <= s * (1.88 - 4.14 * s^2 + 8 * c * s^6) * (b - a)) by (repeat apply Rmult_le_pos; lra). lra.
+Qed.
+Lemma area_step e c a b th : 1.007 <= c -> 0 <= a < b -> b <= 0.8 -> a <= th <= b -> b - a <= 0.0026 ->
+  let more := 0.0026 * (growing e c b - growing e c a) in
+  area e c b - area e c a - more <= growing e c th * (b - a) <= area e c b - area e c a + more.
+Proof.
+  intros Hc H Hb Hth Hd more.
+  destruct (MVT_cor2 (area e c) (growing e c) a b) as [s [E Hs]]; [lra | |].
+  { intros t _. apply is_derive_Reals. unfold area, growing. auto_derive; [easy | lra]. }
+  rewrite E. assert (A1 := growing_grows e c a th Hc ltac:(lra) ltac:(lra)).
+  assert (A2 := growing_grows e c th b Hc ltac:(lra) Hb). assert (B1 := growing_grows e c a s Hc ltac:(lra) ltac:(lra)).
+  assert (B2 := growing_grows e c s b Hc ltac:(lra) Hb). set (k := growing e c b - growing e c a) in *.
+  assert (K : k * (b - a) <= k * 0.0026) by (apply Rmult_le_compat_l; unfold k; lra).
+  assert (X : (growing e c th - growing e c s) * (b - a) <= k * (b - a)) by (apply Rmult_le_compat_r; unfold k; lra).
+  assert (Y : (growing e c s - growing e c th) * (b - a) <= k * (b - a)) by (apply Rmult_le_compat_r; unfold k; lra).
+  unfold more. lra.
+Qed.
+(** From above, with rate + width, and from below, with rate - width. *)
+Definition gained a := area (- (1/3) + 0.007) 3.207 a + 0.0026 * growing (- (1/3) + 0.007) 3.207 a.
+Definition missed a := area (- (1/3) - 0.007) 1.007 a - 0.0026 * growing (- (1/3) - 0.007) 1.007 a.
+Lemma end_of_bulk : 0.7021 < cos 0.7923.
+Proof. interval. Qed.
+Lemma bulk_values a b : 0 <= a <= 0.0013 -> 0.7923 <= b <= 0.7957 ->
+  gained b - gained a <= -0.1198 /\ -0.166 <= missed b - missed a.
+Proof.
+  intros Ha Hb. assert (A : -0.0013 <= gained a /\ missed a <= 0.0009)
+    by (unfold gained, missed, area, growing; split; interval).
+  assert (B : gained b <= -0.1211 /\ -0.165 <= missed b)
+    by (unfold gained, missed, area, growing; split; interval with (i_bisect b, i_autodiff b)).
+  lra.
 Qed.
 
 Section Orbit.
@@ -139,23 +156,17 @@ Qed.
 
 (** (a). *)
 Definition lost := convex 2.1 6.2 22.7.
-Definition gained := convex 0 0.085 0.47.
-Definition missed := concave 0.334 0.125 0.105.
 Lemma L54a_bulk k : (k <= n)%nat -> (forall i, (i < k)%nat -> 9/10 <= U i) ->
   al k <= 0.7957 /\ PI/2 - eps^2 * lost (al k) <= J k /\
-  - (eps / 2 * missed (al k)) <= T O - T k - INR k <= eps / 2 * gained (al k) /\ ((0 < k)%nat -> 0.897 <= u k).
+  eps / 2 * (missed (al k) - missed (al O)) <= T O - T k - INR k <= eps / 2 * (gained (al k) - gained (al O)) /\
+  ((0 < k)%nat -> 0.897 <= u k).
 Proof.
   destruct eps_pos as [E1 [E2 E3]]. assert (P := pi_value). destruct first_contact as [F1 F2].
   assert (E4 : eps^2 = eps * eps) by ring.
   induction k as [|k IH]; intros Hk HU.
   - assert (A := first_invariant eps N n u al y He Orb). fold (J O) in A. simpl INR.
     assert (L := convex_range 2.1 6.2 22.7 (al O) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (G := convex_range 0 0.085 0.47 (al O) ltac:(lra) ltac:(lra) ltac:(lra)).
-    assert (M := concave_range 0.334 0.125 0.105 (al O) ltac:(lra) ltac:(lra) ltac:(lra)).
-    unfold lost, gained, missed.
-    assert (0 <= eps^2 * convex 2.1 6.2 22.7 (al O)) by (apply Rmult_le_pos; lra).
-    assert (0 <= eps / 2 * convex 0 0.085 0.47 (al O)) by (apply Rmult_le_pos; lra).
-    assert (0 <= eps / 2 * concave 0.334 0.125 0.105 (al O)) by (apply Rmult_le_pos; lra).
+    unfold lost. assert (0 <= eps^2 * convex 2.1 6.2 22.7 (al O)) by (apply Rmult_le_pos; lra).
     split; [lra|]. split; [lra|]. split; [lra | intros; lia].
   - destruct (IH ltac:(lia) ltac:(intros i Hi; apply HU; lia)) as [I1 [I2 [I3 _]]].
     destruct (step_at eps u al n orbit_sequence k ltac:(lia)) as [A [B [C [D [E [F [G [K M]]]]]]]].
@@ -167,8 +178,8 @@ Proof.
     assert (W := L53b_bulk eps (u k) (u (S k)) th E1 B C D E (HU k ltac:(lia))). rewrite <- F in W.
     destruct (W ltac:(lra)) as [W1 [W2 [W3 [W4 [W5 W6]]]]]. clear W.
     assert (ST := orbit_sequence k ltac:(lia)).
-    destruct (Hbulk eps (u k) (al k) (u (S k)) (al (S k)) ST He W1) as [H1 [H2 H3]].
-    fold th in H1, H2, H3. set (dJ := invariant (u k) (al k) - invariant (u (S k)) (al (S k))) in *.
+    destruct (Hbulk eps (u k) (al k) (u (S k)) (al (S k)) ST He W1) as [H0 [H1 [H2 H3]]].
+    fold th in H0, H1, H2, H3. set (dJ := invariant (u k) (al k) - invariant (u (S k)) (al (S k))) in *.
     set (DD := defect eps (u k) (al k) (u (S k)) (al (S k))) in *. set (da := al (S k) - al k) in *.
     assert (R1 : dJ <= eps^2 * (lost (al (S k)) - lost (al k))).
     { apply Rmult_le_reg_l with (/ eps^2); [apply Rinv_0_lt_compat; lra|].
@@ -185,26 +196,22 @@ Proof.
     assert (J2 := J_below (S k) Hk).
     assert (N1 : near_half_pi (invariant (u k) (al k))) by (unfold near_half_pi; lra).
     assert (N2 : near_half_pi (invariant (u (S k)) (al (S k)))) by (unfold near_half_pi; unfold J in J1, J2; lra).
-    assert (Z1 : forall h, DD <= h * (eps / 2 * da) -> 2 / eps * DD <= h * da).
-    { intros h Hh. apply Rmult_le_reg_l with (eps / 2); [lra|].
-      replace (eps / 2 * (2 / eps * DD)) with DD by (field; lra). lra. }
-    assert (Z2 : forall h, h * (eps / 2 * da) <= DD -> 2 / eps * - DD <= - h * da).
-    { intros h Hh. apply Rmult_le_reg_l with (eps / 2); [lra|].
-      replace (eps / 2 * (2 / eps * - DD)) with (- DD) by (field; lra). lra. }
+    specialize (H0 W3 N1 N2). apply Rabs_le_between in H0.
+    assert (Bp := beta_pos eps (u k) (proj1 A) ltac:(apply sin_gt_0; lra)).
+    assert (Bp' := beta_pos eps (u (S k)) (proj1 A) ltac:(apply sin_gt_0; lra)).
+    assert (Th : al k <= th <= al (S k)) by lra.
+    destruct (area_step (- (1/3) + 0.007) 3.207 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
+      as [_ Z1].
+    destruct (area_step (- (1/3) - 0.007) 1.007 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
+      as [Z2 _].
+    fold da in Z1, Z2. assert (E0 : 0 <= eps / 2) by lra.
+    assert (Y1 := Rmult_le_compat_l _ _ _ E0 Z1). assert (Y2 := Rmult_le_compat_l _ _ _ E0 Z2).
     assert (R2 : DD <= eps / 2 * (gained (al (S k)) - gained (al k))).
-    { apply Rmult_le_reg_l with (2 / eps); [apply Rdiv_lt_0_compat; lra|].
-      replace (2 / eps * (eps / 2 * (gained (al (S k)) - gained (al k)))) with (gained (al (S k)) - gained (al k))
-        by (field; lra).
-      unfold gained. apply (convex_step 0 0.085 0.47 _ _ th); try lra; intros; apply Z1;
-        [now apply H1 | now apply H2 | now apply H3]. }
-    assert (R3 : - DD <= eps / 2 * (missed (al (S k)) - missed (al k))).
-    { apply Rmult_le_reg_l with (2 / eps); [apply Rdiv_lt_0_compat; lra|].
-      replace (2 / eps * (eps / 2 * (missed (al (S k)) - missed (al k)))) with (missed (al (S k)) - missed (al k))
-        by (field; lra).
-      unfold missed. apply (concave_step 0.334 0.125 0.105 _ _ th); try lra; intros X.
-      - replace 0.334 with (- -0.334) by lra. apply Z2. now apply H1.
-      - replace 0.125 with (- -0.125) by lra. apply Z2. now apply H2.
-      - replace 0.105 with (- -0.105) by lra. apply Z2. now apply H3. }
+    { apply Rle_trans with (eps / 2 * (growing (- (1/3) + 0.007) 3.207 th * da)); [|unfold gained; lra].
+      unfold growing. unfold rate, width in H0. lra. }
+    assert (R3 : eps / 2 * (missed (al (S k)) - missed (al k)) <= DD).
+    { apply Rle_trans with (eps / 2 * (growing (- (1/3) - 0.007) 1.007 th * da)); [unfold missed; lra|].
+      unfold growing. unfold rate, width in H0. lra. }
     split; [exact A1|]. split; [exact J1|]. split; [|intros; exact W5]. rewrite S_INR.
     assert (ED : DD = T k - 1 - T (S k)) by reflexivity. lra.
 Qed.
@@ -214,7 +221,7 @@ Lemma J_safe i : (i <= n)%nat -> PI/2 - 5.3 * eps^2 / u i ^ 3 <= J i -> PI/2 - 0
 Proof. intros Hi H. destruct (contact_beta i Hi) as [_ [B _]]. lra. Qed.
 Lemma first_of_layer k : (k <= n)%nat -> (forall i, (i < k)%nat -> 9/10 <= U i) -> (forall i, (k <= i < n)%nat ->
   U i < 9/10) ->
-  (0 < k < n)%nat /\ 0.897 <= u k <= 0.91.
+  (0 < k < n)%nat /\ 0.897 <= u k <= 0.9042.
 Proof.
   intros Hk H1 H2. destruct first_contact as [F1 _]. assert (P := pi_value). destruct eps_pos as [E1 [E2 E3]].
   assert (E4 : eps^2 = eps * eps) by ring.
@@ -257,8 +264,9 @@ Proof.
   - apply Rinv_le_contravar; [now apply Rmult_lt_0_compat | exact V6].
 Qed.
 Lemma layer_step i : (i < n)%nat -> U i < 9/10 -> PI/2 - 5.3 * eps^2 / u i ^ 3 <= J i ->
-  1 < T i /\ comparison eps (T i) * (1 - 1.3 * U i) <= T i - 1 - T (S i) <= comparison eps (T i) /\
-  (3/4 < U i -> comparison eps (T i) * (1 - 1.11 * U i) <= T i - 1 - T (S i)) /\
+  let y := place eps (T i) in let d := difference (T i) in
+  1 < T i /\ comparison eps (T i) * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * d^2)) <= T i - 1 - T (S i) <=
+    comparison eps (T i) * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * d^2)) /\
   PI/2 - 5.3 * eps^2 / u (S i) ^ 3 <= J (S i).
 Proof.
   intros Hi HU HJ. destruct eps_pos as [E1 [E2 E3]]. assert (E4 : eps^2 = eps * eps) by ring.
@@ -269,8 +277,8 @@ Proof.
   unfold U in HU. unfold J in HJ, Jb, Js.
   assert (W := L53a_layer eps (u i) (u (S i)) _ E1 B C D E ltac:(lra) B1 B2). rewrite <- F in W.
   destruct (Hlayer eps (u i) (al i) (u (S i)) (al (S i)) (orbit_sequence i Hi) He ltac:(lra) B1 (W ltac:(lra)) (conj
-    HJ Jb)) as [C5 [C6 [C7 C8]]].
-  split; [exact C5|]. split; [exact C6|]. split; [exact C7|]. unfold J.
+    HJ Jb)) as [C5 [C6 C8]].
+  split; [exact C5|]. split; [exact C6|]. unfold J.
   assert (I := inverse_cubes (middle (u i) (u (S i))) (half (u i) (u (S i))) ltac:(unfold middle, half; lra)).
   replace (middle (u i) (u (S i)) - half (u i) (u (S i))) with (u (S i)) in I by (unfold middle, half; field).
   replace (middle (u i) (u (S i)) + half (u i) (u (S i))) with (u i) in I by (unfold middle, half; field).
@@ -300,12 +308,14 @@ Qed.
 (** What is known of the whole orbit. *)
 Record followed (k : nat) : Prop := {
   followed_k : (0 < k < n)%nat;
-  followed_bulk : -0.1123 * eps <= T O - T k - INR k <= 0.0275 * eps;
-  followed_clock : 0.0510 / eps <= T k <= 0.0675 / eps;
-  followed_layer : forall i, (k <= i < n)%nat -> 1 < T i /\ 0 < T i - 1 - T (S i) <= comparison eps (T i) /\
-    comparison eps (T i) * (1 - 1.3 * U i) <= T i - 1 - T (S i);
-  followed_contacts : forall i, (k <= i <= n)%nat -> u i <= 4.6724 * sqrt (eps * T i);
-  followed_end : -0.23 * eps <= T n - 1 - step_constant * sqrt eps <= -0.0885 * eps }.
+  followed_bulk : -0.083 * eps <= T O - T k - INR k <= -0.0599 * eps;
+  followed_clock : 0.0595 / eps <= T k <= 0.06125 / eps;
+  followed_layer : forall i, (k <= i < n)%nat -> let D := T i - 1 - T (S i) in let d := difference (T i) in
+    let z := step_constant * sqrt eps in let h := scale eps in let g := 5 / (3 * PI) in 0 < D <= z * d^3 /\
+    z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D /\
+    D <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4));
+  followed_end : u n <= 4.6724 * sqrt (eps * T n) /\ u n <= 0.18 /\
+    Rabs (T n - 1 - step_constant * sqrt eps + 0.1655 * eps) <= (0.004 + 0.5 * (u n / 2)) * eps }.
 Theorem L54 : exists k, followed k.
 Proof.
   destruct bulk_first as [k [Hk [H1 H2]]]. exists k. destruct (first_of_layer k Hk H1 H2) as [K0 [U1 U2]].
@@ -313,7 +323,7 @@ Proof.
   assert (HJ := L54b_layer k Hk H1 H2).
   (* the clock in its other form *)
   assert (C : forall i, (k <= i <= n)%nat ->
-    0 < u i <= 0.91 /\ PI/2 - 0.002 <= J i < PI - u i /\ tau (u i) (J i) = 2 * (eps * T i)).
+    0 < u i <= 0.9042 /\ PI/2 - 0.002 <= J i < PI - u i /\ tau (u i) (J i) = 2 * (eps * T i)).
   { intros i Hi. assert (Js := J_safe i ltac:(lia) (HJ i Hi)).
     destruct (contacts_fall eps u al n orbit_sequence k i ltac:(lia)) as [V1 _].
     destruct orbit_last as [_ [V2 _] _ _ _]. destruct (contact_beta i ltac:(lia)) as [_ [_ V3]].
@@ -324,28 +334,27 @@ Proof.
     { unfold J, invariant. assert (cos (al (S i)) < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra).
       assert ((PI - u (S i)) * cos (al (S i)) < (PI - u (S i)) * 1) by (apply Rmult_lt_compat_l; lra). lra. }
     split; [lra|]. split; [lra|]. unfold J, T, clock. rewrite L45a_clock by lra. field. lra. }
+  assert (latest : forall i, (k <= i <= n)%nat -> T i <= 0.06125 / eps).
+  { intros i Hi. destruct (C i Hi) as [C1 [C2 C3]]. assert (Jb := J_below i ltac:(lia)).
+    assert (D1 := L45d_above (u i) (J i) ltac:(lra) ltac:(lra)).
+    apply Rmult_le_reg_r with eps; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
   constructor.
   - exact K0.
-  - destruct (L54a_bulk k Hk H1) as [A1 [_ [A3 _]]].
-    assert (A0 : 0 <= al k) by (destruct (contacts_fall eps u al n orbit_sequence 0 k ltac:(lia));
-      destruct first_contact; lra).
-    assert (G := convex_range 0 0.085 0.47 (al k) ltac:(lra) ltac:(lra) ltac:(lra)). fold gained in G.
-    assert (M := concave_range 0.334 0.125 0.105 (al k) ltac:(lra) ltac:(lra) ltac:(lra)). fold missed in M.
-    assert (eps / 2 * gained (al k) <= eps / 2 * 0.055) by (apply Rmult_le_compat_l; lra).
-    assert (eps / 2 * missed (al k) <= eps / 2 * 0.2246) by (apply Rmult_le_compat_l; lra). lra.
-  - destruct (C k ltac:(lia)) as [C1 [C2 C3]]. assert (Jb := J_below k Hk).
-    assert (D1 := L45d_above (u k) (J k) ltac:(lra) ltac:(lra)). assert (D2 := L45d_below (u k) (J k) ltac:(lra) C2).
-    split; apply Rmult_le_reg_r with eps; try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
-  - intros i Hi. destruct (layer_step i ltac:(lia) (H2 i Hi) (HJ i ltac:(lia))) as [L1 [L2 [L3 _]]].
-    split; [exact L1|].
-    split; [|apply L2]. split; [|apply L2]. assert (Z : 0 < comparison eps (T i)).
-    { apply (D0_pos (step_constant * sqrt eps) (T i)); [|lra]. destruct k0_value.
-      apply Rmult_lt_0_compat; [lra | apply sqrt_lt_R0; lra]. }
-    assert (Ui := H2 i Hi). destruct (Rle_dec (U i) (3/4)) as [X|X].
-    + assert (0 < comparison eps (T i) * (1 - 1.3 * U i)) by (apply Rmult_lt_0_compat; lra). lra.
-    + assert (0 < comparison eps (T i) * (1 - 1.11 * U i)) by (apply Rmult_lt_0_compat; lra).
-      assert (L := L3 ltac:(lra)). lra.
-  - intros i Hi. destruct (C i Hi) as [C1 [C2 C3]]. apply (L45c_u (u i) (J i)); [lra | exact C2 | exact C3].
+  - destruct (L54a_bulk k Hk H1) as [A1 [_ [A3 _]]]. destruct first_contact as [_ F0].
+    assert (Jb := J_below k Hk).
+    assert (A0 : 0.7923 <= al k).
+    { apply Rnot_lt_le. intros Z. destruct (contacts_fall eps u al n orbit_sequence 0 k ltac:(lia)) as [_ A2].
+      assert (V := end_of_bulk). assert (cos 0.7923 <= cos (al k)) by (apply cos_decr_1; lra).
+      assert ((PI - 0.9042) * 0.7021 <= (PI - u k) * cos (al k)) by (apply Rmult_le_compat; lra).
+      unfold J, invariant in Jb. lra. }
+    destruct (bulk_values (al O) (al k) F0 ltac:(lra)) as [V1 V2].
+    assert (eps / 2 * (gained (al k) - gained (al O)) <= eps / 2 * -0.1198) by (apply Rmult_le_compat_l; lra).
+    assert (eps / 2 * -0.166 <= eps / 2 * (missed (al k) - missed (al O))) by (apply Rmult_le_compat_l; lra). lra.
+  - destruct (C k ltac:(lia)) as [C1 [C2 C3]]. assert (L := latest k ltac:(lia)).
+    assert (D2 := L45d_below (u k) (J k) ltac:(lra) C2).
+    split; [|exact L]. apply Rmult_le_reg_r with eps; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
+  - intros i Hi. destruct (layer_step i ltac:(lia) (H2 i Hi) (HJ i ltac:(lia))) as [L1 [[L2 L3] _]].
+    assert (L := latest i ltac:(lia)). exact (layer_defect eps (T i) _ E1 (conj L1 L) L2 L3).
   - assert (Jn := HJ n ltac:(lia)). assert (Js := J_safe n ltac:(lia) Jn). assert (Jb := J_below n ltac:(lia)).
     assert (L := L47c_last eps (u n) (al n) y He orbit_last Js). destruct (contact_beta n ltac:(lia)) as [B1 _].
     assert (V := L47a_last eps (u n) (al n) y He orbit_last Jb). destruct (small_root eps E1) as [S0 S1].
@@ -353,6 +362,7 @@ Proof.
     { rewrite <- S1. assert (4.42 * sqrt eps * (4.42 * sqrt eps) <= u n * u n) by (apply Rmult_le_compat; lra).
       assert (0 < sqrt eps * sqrt eps) by (apply Rmult_lt_0_compat; lra). lra. }
     assert (W := L53c_end eps (u n) (al n) y He orbit_last L V2 B1 (conj Jn Jb)).
-    exact (Hend eps (u n) (al n) y orbit_last He L W (conj Jn Jb)).
+    destruct (C n ltac:(lia)) as [C1 [C2 C3]]. split; [apply (L45c_u (u n) (J n)); [lra | exact C2 | exact C3]|].
+    split; [exact L|]. exact (Hend eps (u n) (al n) y orbit_last He L W (conj Jn Jb)).
 Qed.
 End Orbit.

@@ -1,9 +1,11 @@
-(** The exact map (L31 (a), L43 (a) and (b) of law.md): with eps = sqrt r and the slope eps tan th of a flight,
-  the angle th
-    grows by 2 beta at each contact. A state of a ray is a sequence of contacts; a flight that is tangent to the hump
-    ends it.
+(** The exact map (L31 (a), L43 (a) and (b) of law.md): with eps = sqrt r and the slope eps tan th of a flight, the
+    angle th grows by 2 beta at each contact. A state of a ray is a sequence of contacts; a flight that is tangent to
+    the hump ends it.
 
+    sin_of_atan, beta_pos == sin (atan x) = x cos (atan x); 0 < beta < pi/2
     turned                == a contact turns the flight by 2 beta
+    sequence              == each of the first n contacts is a step from the next one
+    last_slope, last_height == of the flight that leaves contact n: its slope, its height over the peak
     contacts_of_state     == the contacts of a ray that has them
     last_of_tangent       == a tangent flight
     L43b                  == sin d sin U = eps tan th (pi - U) *)

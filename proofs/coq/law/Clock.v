@@ -1,10 +1,12 @@
 (** The clock (L45 of law.md): T = S(J, al)/(2 eps), regular at al = 0; for al > 0 also tau(u, J)/(2 eps).
 
-    G, tau              == as in law.md
-    L45a_clock          == S(J, al) = tau(u, J)
-    tau_mono            == L45 (b): tau increases with u and J
-    L45c_below, L45c_u  == L45 (c): u <= 4.6724 sqrt (eps T)
-    L45d_above, L45d_below == L45 (d): the clock at u = 0.91 and u = 0.895 *)
+    G, tau                  == as in law.md
+    radicand                == F^2 - J^2 > 0, for 0 < J < F
+    G_continuous, tau_integrable == so G and the integrand of tau are regular
+    L45a_clock              == S(J, al) = tau(u, J)
+    tau_mono                == L45 (b): tau increases with u and J
+    L45c_below, L45c_u      == L45 (c): u <= 4.6724 sqrt (eps T)
+    L45d_above, L45d_below  == L45 (d), a little sharper: the clock at u = 0.9042 and u = 0.897 *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -183,14 +185,14 @@ Proof.
 Qed.
 
 (** L45 (d). *)
-Lemma clock_values : tau 0.91 (PI/2 + 3/10000000) <= 0.1350 /\ 0.1020 <= tau 0.895 (PI/2 - 0.002).
+Lemma clock_values : tau 0.9042 (PI/2 + 3/10000000) <= 0.1225 /\ 0.1190 <= tau 0.897 (PI/2 - 0.002).
 Proof. unfold tau, G. split; integral. Qed.
-Theorem L45d_above u J : 0 <= u <= 0.91 -> 0 < J <= PI/2 + 3/10000000 -> tau u J <= 0.1350.
+Theorem L45d_above u J : 0 <= u <= 0.9042 -> 0 < J <= PI/2 + 3/10000000 -> tau u J <= 0.1225.
 Proof.
   intros Hu HJ. assert (P : 3.14 < PI < 3.15) by (split; interval). destruct clock_values as [A _].
   apply Rle_trans with (2 := A). apply tau_mono; lra.
 Qed.
-Theorem L45d_below u J : 0.895 <= u -> PI/2 - 0.002 <= J < PI - u -> 0.1020 <= tau u J.
+Theorem L45d_below u J : 0.897 <= u -> PI/2 - 0.002 <= J < PI - u -> 0.1190 <= tau u J.
 Proof.
   intros Hu HJ. assert (P : 3.14 < PI < 3.15) by (split; interval). destruct clock_values as [_ A].
   apply Rle_trans with (1 := A). apply tau_mono; lra.

@@ -1,13 +1,16 @@
 (** The defect beside the comparison function (L50 of law.md).
 
+    roots            == B
     ratio            == Rr, (13), with m = 2 eps D/d^3
     L50a_late        == T >= 1 if and only if (1 + rho)^2 k1 >= 2 rho eps^
     L50a_ratio       == D = D0 T Rr
+    root_three       == sqrt 3 sqrt 3 = 3
+    step_constant_is == k0 = 3^(-7/4) pi^(-1/2) in square roots
     L50b_first, L50b_second == m1 and m2 at U = 0, from the values there of G1, H, a, a_p, g1, mu
     L50b_constant    == with their sum m0 and eps^ = 1/(sqrt 3 pi), Rr = 1: this fixes k0 *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Cubes Clock Midpoint.
+From Dumbbell Require Import LawStatement Differences Cubes Clock Midpoint.
 Local Open Scope R_scope.
 
 (** The place in the layer: U, rho, eps^ and k1 = tau/u^2; B is the sum of two roots. *)
@@ -79,6 +82,14 @@ Proof.
 Qed.
 Lemma root_three : 0 < sqrt 3 /\ sqrt 3 * sqrt 3 = 3.
 Proof. split; [apply sqrt_lt_R0; lra | apply sqrt_sqrt; lra]. Qed.
+Lemma step_constant_is : step_constant = / (3 * sqrt 3 * sqrt (sqrt 3) * sqrt PI).
+Proof.
+  assert (P := PI_RGT_0). destruct root_three as [S Q]. assert (SP : 0 < sqrt PI) by (now apply sqrt_lt_R0).
+  set (f := sqrt (sqrt 3)). assert (F : 0 < f) by (now apply sqrt_lt_R0).
+  unfold step_constant. rewrite Rpower_Ropp. replace (7 / 4) with (1 + / 2 + / 2 * / 2) by field.
+  rewrite !Rpower_plus, <- Rpower_mult, Rpower_1, !Rpower_sqrt by (try apply exp_pos; lra). fold f. field.
+  repeat split; lra.
+Qed.
 Theorem L50b_first : - (2 / 3) * G1 PI (PI / 2) = 14 / (9 * sqrt 3 * PI^2) /\
   H PI (PI / 2) = 8 / (3 * sqrt 3 * PI^2) /\
   G PI (PI / 2) = / (sqrt 3 * PI).
@@ -107,11 +118,7 @@ Proof.
   assert (H1 : h = / (sqrt 2 * f * sqrt PI)).
   { unfold h. replace (e / 2) with (/ (2 * (sqrt 3 * PI))) by (unfold e; field; lra).
     rewrite sqrt_inv, sqrt_mult_alt, sqrt_mult_alt by lra. f_equal. unfold f. ring. }
-  assert (K : step_constant = / (3 * sqrt 3 * f * sqrt PI)).
-  { unfold step_constant. rewrite Rpower_Ropp. replace (7 / 4) with (1 + / 2 + / 2 * / 2) by field.
-    rewrite !Rpower_plus, <- Rpower_mult, Rpower_1, !Rpower_sqrt by (try apply exp_pos; lra). fold f. field.
-    repeat split; lra. }
-  rewrite K. replace ((2 * h)^3) with (8 * (h * h) * h) by ring. rewrite Hh, H1. unfold e.
+  rewrite step_constant_is. fold f. replace ((2 * h)^3) with (8 * (h * h) * h) by ring. rewrite Hh, H1. unfold e.
   replace (PI^2) with (PI * PI) by ring. replace ((/ (sqrt 3 * PI))^3) with (/ (3 * sqrt 3 * PI^3))
     by (rewrite pow_inv, Rpow_mult_distr; replace (sqrt 3 ^ 3) with (sqrt 3 * sqrt 3 * sqrt 3) by ring;
       now rewrite Q).

@@ -1,89 +1,25 @@
-(** The comparison function and its sums (L50's D0, L55 of law.md).
+(** The sum of the cubes (sqrt n - sqrt (n - 1))^3 (L55 of law.md).
 
-    D0 z T                == z (sqrt T - sqrt (T - 1))^3, where z is k0 s
-    D0_falls, D0_raised   == it falls with T, and how fast at most
-    cubes_converge        == the sum of (sqrt n - sqrt (n - 1))^3 converges
-    tail_above, tail_below == L55 (c): what is left of the sum after M + 1 terms
-    Series_below, k0_value, c0_value == decimals *)
+    cube_is                 == a cube is that of the difference
+    cubes_converge          == their sum converges
+    tail_above, tail_below  == L55 (c): what is left of the sum after M + 1 terms
+    sum_below_series        == no partial sum exceeds it
+    Series_value, k0_value  == decimals of it and of k0 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement.
+From Dumbbell Require Import LawStatement Differences.
 Local Open Scope R_scope.
 
-Definition D0 (z T : R) := z * (sqrt T - sqrt (T - 1)) ^ 3.
-
-Lemma root_step a : 1 <= a -> sqrt a - sqrt (a - 1) = / (sqrt a + sqrt (a - 1)) /\ 0 < sqrt a + sqrt (a - 1).
-Proof.
-  intros Ha. assert (0 < sqrt a) by (apply sqrt_lt_R0; lra). assert (0 <= sqrt (a - 1)) by apply sqrt_pos.
-  split; [|lra]. apply Rmult_eq_reg_r with (sqrt a + sqrt (a - 1)); [|lra]. rewrite Rinv_l by lra.
-  assert (E1 := sqrt_sqrt a ltac:(lra)). assert (E2 := sqrt_sqrt (a - 1) ltac:(lra)). lra.
-Qed.
-Lemma D0_falls z a b : 0 <= z -> 1 <= a <= b -> 0 <= D0 z b <= D0 z a.
-Proof.
-  intros Hz Hab. unfold D0. destruct (root_step a ltac:(lra)) as [-> P]. destruct (root_step b ltac:(lra)) as [-> Q].
-  assert (sqrt a <= sqrt b) by (apply sqrt_le_1; lra).
-  assert (sqrt (a - 1) <= sqrt (b - 1)) by (apply sqrt_le_1; lra).
-  assert (I : 0 < / (sqrt b + sqrt (b - 1)) <= / (sqrt a + sqrt (a - 1)))
-    by (split; [apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]).
-  split; [apply Rmult_le_pos; [exact Hz | apply pow_le; lra] | apply Rmult_le_compat_l; [exact Hz | apply pow_incr;
-    lra]].
-Qed.
-Lemma D0_pos z a : 0 < z -> 1 <= a -> 0 < D0 z a.
-Proof.
-  intros Hz Ha. unfold D0. destruct (root_step a Ha) as [-> P].
-  apply Rmult_lt_0_compat; [exact Hz | apply pow_lt, Rinv_0_lt_compat, P].
-Qed.
-Lemma D0_at z n : D0 z (INR (S n)) = z * cube n.
-Proof. unfold D0, cube. now replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). Qed.
-
-(** sqrt (n + x) <= sqrt n (1 + x/(2 n)); so D0 loses a share 3 x/(2 sqrt (n (n - 1))) at most. *)
-Lemma sqrt_raised n x : 0 < n -> 0 <= x -> sqrt (n + x) <= sqrt n + x / (2 * sqrt n).
-Proof.
-  intros Hn Hx. assert (S := sqrt_lt_R0 n Hn). assert (Q := sqrt_sqrt n ltac:(lra)).
-  assert (P : 0 <= x / (2 * sqrt n)) by (apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra]).
-  rewrite <- (sqrt_square (sqrt n + x / (2 * sqrt n))) by lra. apply sqrt_le_1_alt.
-  replace ((sqrt n + x / (2 * sqrt n)) * (sqrt n + x / (2 * sqrt n))) with
-    (sqrt n * sqrt n + x + x / (2 * sqrt n) * (x / (2 * sqrt n))) by (field; lra).
-  assert (0 <= x / (2 * sqrt n) * (x / (2 * sqrt n))) by now apply Rmult_le_pos. lra.
-Qed.
-Lemma inverse_cube y : 0 <= y -> 1 - 3 * y <= (/ (1 + y)) ^ 3.
-Proof.
-  intros Hy. rewrite pow_inv. apply Rmult_le_reg_r with ((1 + y) ^ 3); [apply pow_lt; lra|].
-  rewrite Rinv_l by (apply pow_nonzero; lra). assert (0 <= y * y) by now apply Rmult_le_pos.
-  assert (0 <= y * y * y) by now apply Rmult_le_pos. assert (0 <= y * y * y * y) by now apply Rmult_le_pos. simpl.
-  lra.
-Qed.
-Lemma D0_raised z n x : 0 <= z -> 2 <= n -> 0 <= x -> D0 z n * (1 - 1.08 * x) <= D0 z (n + x).
-Proof.
-  intros Hz Hn Hx. unfold D0. destruct (root_step n ltac:(lra)) as [-> P].
-  destruct (root_step (n + x) ltac:(lra)) as [-> Q]. replace (n + x - 1) with (n - 1 + x) by ring.
-  set (a := sqrt n) in *. set (b := sqrt (n - 1)) in *. assert (A : 1.4 <= a) by (apply Rle_trans with (sqrt 2);
-    [interval | apply sqrt_le_1; lra]). assert (B : 1 <= b) by (rewrite <- sqrt_1; apply sqrt_le_1; lra).
-  assert (X1 := sqrt_raised n x ltac:(lra) Hx). assert (X2 := sqrt_raised (n - 1) x ltac:(lra) Hx). fold a in X1.
-  fold b in X2. set (y := x * (2.5/7)). assert (Y : 0 <= y) by (unfold y; lra).
-  assert (I : / a <= / 1.4) by (apply Rinv_le_contravar; lra).
-  assert (J : / b <= / 1) by (apply Rinv_le_contravar; lra).
-  assert (E : x / (2 * a) + x / (2 * b) = x / 2 * (/ a * / b) * (a + b)) by (field; lra).
-  assert (K : / a * / b <= / 1.4 * / 1) by (apply Rmult_le_compat; try assumption; left; apply Rinv_0_lt_compat; lra).
-  assert (L : x / 2 * (/ a * / b) * (a + b) <= y * (a + b)).
-  { apply Rmult_le_compat_r; [lra|]. apply Rle_trans with (x / 2 * (/ 1.4 * / 1));
-    [apply Rmult_le_compat_l; lra | unfold y; lra]. }
-  assert (S0 : 0 <= sqrt (n - 1 + x)) by apply sqrt_pos. assert (S1 : 0 < sqrt (n + x)) by (apply sqrt_lt_R0; lra).
-  rewrite Rmult_assoc. apply Rmult_le_compat_l; [exact Hz|].
-  apply Rle_trans with ((/ (a + b)) ^ 3 * (/ (1 + y)) ^ 3).
-  - apply Rmult_le_compat_l; [apply pow_le; left; apply Rinv_0_lt_compat; lra|].
-    apply Rle_trans with (2 := inverse_cube y Y). unfold y. lra.
-  - rewrite <- Rpow_mult_distr, <- Rinv_mult. apply pow_incr.
-    split; [left; apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra|].
-    apply Rinv_le_contravar; lra.
-Qed.
+Lemma cube_is n : cube n = difference (INR (S n)) ^ 3.
+Proof. unfold cube, difference. now replace (INR (S n) - 1) with (INR n) by (rewrite S_INR; ring). Qed.
 
 (** L55 (c): a cube beside a difference of two inverse roots, below and above. *)
 Lemma cube_above n : / (4 * sqrt (INR (S n))) - / (4 * sqrt (INR (S (S n)))) <= cube n.
 Proof.
   unfold cube. assert (P0 := pos_INR n). rewrite !S_INR. set (x := INR n) in *.
-  destruct (root_step (x + 1) ltac:(lra)) as [E P]. replace (x + 1 - 1) with x in * by ring. rewrite E.
+  destruct (root_step (x + 1) ltac:(lra)) as [E P]. unfold difference in E.
+  replace (x + 1 - 1) with x in * by ring. rewrite E.
   set (a := sqrt x) in *. set (b := sqrt (x + 1)) in *. set (c := sqrt (x + 1 + 1)).
   assert (A : 0 <= a) by apply sqrt_pos. assert (B : 0 < b) by (apply sqrt_lt_R0; lra).
   assert (C : b < c) by (apply sqrt_lt_1; lra). assert (AB : a < b) by (apply sqrt_lt_1; lra).
@@ -102,7 +38,8 @@ Qed.
 Lemma cube_below n : cube (S (S n)) <= / (4 * sqrt (INR (S n))) - / (4 * sqrt (INR (S (S n)))).
 Proof.
   unfold cube. assert (P0 := pos_INR n). rewrite !S_INR. set (x := INR n) in *.
-  destruct (root_step (x + 1 + 1 + 1) ltac:(lra)) as [E P]. replace (x + 1 + 1 + 1 - 1) with (x + 1 + 1) in * by ring.
+  destruct (root_step (x + 1 + 1 + 1) ltac:(lra)) as [E P]. unfold difference in E.
+  replace (x + 1 + 1 + 1 - 1) with (x + 1 + 1) in * by ring.
   rewrite E.
   set (a := sqrt (x + 1)) in *. set (b := sqrt (x + 1 + 1)) in *. set (c := sqrt (x + 1 + 1 + 1)) in *.
   assert (A : 0 < a) by (apply sqrt_lt_R0; lra). assert (AB : a < b) by (apply sqrt_lt_1; lra).

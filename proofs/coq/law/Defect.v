@@ -1,7 +1,7 @@
-(** The defect of a step (L49 of law.md) and what the clock shows at the end (L52): the error of the midpoint rule,
-  and
+(** The defect of a step (L49 of law.md) and what the clock shows at the end (L52): the error of the midpoint rule, and
     what the contacts gain, because J is not Q.
 
+    tau_J, tau_JJ == the derivatives of tau by J
     gain_between  == tau (u, J) - tau (u, Q) = A tau_J + A^2 tau_JJ/2, tau_JJ between its values at J and at Q
     L49_defect    == 2 eps D = E1 + E2
     L49_between   == and bounds of it

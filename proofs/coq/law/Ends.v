@@ -1,8 +1,10 @@
-(** Where the orbit ends (L47 of law.md), and its layer (L48).
-The tangent flight is treated as a step to the point y of
+(** Where the orbit ends (L47 of law.md), and its layer (L48). The tangent flight is treated as a step to the point y of
     tangency, which has the flight equation of a step.
 
-    last_flat       == y is small
+    pi_value, small_root == decimals of pi, and of sqrt eps
+    quotient_at_most, quotient_at_least == a/c <= b from a <= b c, and the other way round
+    tangent_square, tangent_at_most == tan from cos
+    last_step, last_flat == the tangent flight as a step; y is small
     L47a_last       == u_b >= 4.42 sqrt eps
     L47b_beta       == at every contact tan beta <= 0.00717, 5.3 eps^2/u^3 <= 0.00195
     L47c_last       == u_b <= 0.18 if J_b >= pi/2 - 0.002

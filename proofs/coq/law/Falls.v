@@ -1,7 +1,8 @@
-(** L43 (c) and L44 of law.md: J = (pi - u) cos al falls at every step, for every mass ratio;
-  the middle invariant Q is above
-    it. For the windows of L53 also by how much: |X| <= d^2 cot U.
+(** L43 (c) and L44 of law.md: J = (pi - u) cos al falls at every step, for every mass ratio; the middle invariant Q is
+    above it. For the windows of L53 also by how much: |X| <= d^2 cot U.
 
+    sines, middle_range, signs == the signs of a flight's U, d, of its sines and cosines
+    seven               == sin d sin U = eps tan th (pi - U), (7)
     before_is, after_is == J and J' in terms of X, X', beta, beta'
     L44_before, L44_after, L44_falls == J <= Q, J' <= Q, J' < J
     L53_gap             == Q - J <= cos th d^2 cot U + Q beta^2/2 + d sin th beta, (16) *)

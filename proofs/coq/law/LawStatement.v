@@ -1,13 +1,20 @@
-(** Statement: the law for every mass ratio (Theorem B of law.md) and the conditions it is proved from (law.md,
-  "What the
-    certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
+(** Statement: the law for every mass ratio (Theorems A and B of law.md) and the conditions it is proved from (law.md,
+    "What the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
     Definitions only.
 
     growth, step_constant, law_constant == C, k0, c0
+    cube, quarter           == (sqrt (n + 1) - sqrt n)^3; q^(-1/4)
+    from_nine               == q is at least q_c(9)
     the_law                 == Theorem B: N = 2 + floor (C sqrt q), or less by a share c0 q^(-1/4) of a step
     law_everywhere          == its second half: 0.980 <= N - C sqrt q <= 2.115
+    delta, log_constant, constant_of == delta_N at q = q_c(N), kappa, k_N
+    law_with_logarithm      == Theorem A, of N and q = q_c(N)
     beta, invariant, clock  == beta, J, T of a contact at u from the peak, at the mid angle al
+    clock_integral          == S
     step, last              == from a contact to the next one; from the last contact along the tangent flight
+    middle, half, middle_invariant, defect == U, d, Q, D of a step
+    difference, comparison, place == Delta, D0, y of a T (L57)
+    near_half_pi, rate, width == the window of (C9) and (C10), and p and w of (C9)
     steps, layer, bulk, end_of_orbit == the conditions (C1) to (C4), (C5) to (C8), (C9) and (C10), (C11) *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
@@ -27,8 +34,14 @@ Definition the_law := forall q N, from_nine q -> N_star q N ->
   (Z.of_nat N <= 2 + Int_part (growth * sqrt q))%Z.
 Definition law_everywhere := forall q N, 1 <= q -> N_star q N -> 0.980 <= INR N - growth * sqrt q <= 2.115.
 
-(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u;
-  al is half the sum of
+(** Theorem A, where q is the critical ratio q_c(N). *)
+Definition delta N q := growth * sqrt q - (INR N - 2).
+Definition log_constant := 5 / (36 * sqrt 3 * PI).
+Definition constant_of (N : nat) := if Nat.even N then 0.496 else 0.378.
+Definition law_with_logarithm N q := let s := quarter q in
+  Rabs (delta N q - (law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2)) <= (0.11 + 2.6 * s) * s^2.
+
+(** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u; al is half the sum of
     the angles of the flights before and after it (L43), beta half their difference. *)
 Definition beta eps u := atan (eps / sin u).
 Definition invariant u al := (PI - u) * cos al.
@@ -49,12 +62,15 @@ Record last (eps u al y : R) : Prop := {
   tangency : eps * tan (al + beta eps u) = sin y;
   last_flight : cos y - cos u = sin y * (2 * PI - u - y) }.
 
-(** Of a step: U, d, the angle theta of its flight, Q, the defect D; the comparison function D0. *)
+(** Of a step: U, d, the angle theta of its flight, Q, the defect D; the comparison function D0, and beside it Delta and
+    y of L57. *)
 Definition middle u u' := (u + u') / 2.
 Definition half u u' := (u - u') / 2.
 Definition middle_invariant eps u al u' := (PI - middle u u') * cos (al + beta eps u).
 Definition defect eps u al u' al' := clock eps u al - 1 - clock eps u' al'.
-Definition comparison eps T := step_constant * sqrt eps * (sqrt T - sqrt (T - 1)) ^ 3.
+Definition difference T := sqrt T - sqrt (T - 1).
+Definition comparison eps T := step_constant * sqrt eps * difference T ^ 3.
+Definition place eps T := sqrt (4 * sqrt 3 * PI) / 2 * sqrt eps / difference T.
 
 (** (C1) to (C4): ratios a and b on either side of the critical ratio q_c(N), near to it. *)
 Definition steps := forall N, (3 <= N <= 902)%nat -> exists a b, 1 <= a /\ 1 <= b /\
@@ -67,26 +83,26 @@ Definition layer := forall eps u al u' al', step eps u al u' al' -> eps <= 1/100
   let U := middle u u' in U <= 9/10 -> half u u' <= U / 5 ->
   PI/2 - 1/100 <= middle_invariant eps u al u' <= PI/2 + 1/20 ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
-  let T := clock eps u al in let D := defect eps u al u' al' in
+  let T := clock eps u al in let y := place eps T in let Delta := difference T in
   1 < T /\
-  comparison eps T * (1 - 1.3 * U) <= D <= comparison eps T /\
-  (3/4 < U -> comparison eps T * (1 - 1.11 * U) <= D) /\
+  comparison eps T * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * Delta^2)) <= defect eps u al u' al' <=
+    comparison eps T * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * Delta^2)) /\
   invariant u al - invariant u' al' <= 15.9 * (2 * half u u') * eps^2 / U^4.
 
-(** (C9) and (C10), on three ranges of theta. *)
+(** (C9), and (C10) on three ranges of theta. *)
 Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
+Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
+Definition width t := 0.007 + 1.1 * t^8.
 Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
   near_half_pi (middle_invariant eps u al u') ->
-  let th := al + beta eps u in
-  let M lo hi := near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
-    lo * (eps / 2 * (al' - al)) <= defect eps u al u' al' <= hi * (eps / 2 * (al' - al)) in
+  let th := al + beta eps u in let share := eps / 2 * (al' - al) in
   let Lambda hi := invariant u al - invariant u' al' <= hi * (eps^2 * (al' - al)) in
-  (th <= 0.6 -> M (-0.334) 0 /\ Lambda 2.1) /\
-  (0.6 <= th <= 0.7 -> M (-0.125) 0.085 /\ Lambda 6.2) /\
-  (0.7 <= th <= 0.7944 -> M (-0.105) 0.47 /\ Lambda 22.7).
+  (th <= 0.7944 -> near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
+    Rabs (defect eps u al u' al' - rate th * share) <= width th * share) /\
+  (th <= 0.6 -> Lambda 2.1) /\ (0.6 <= th <= 0.7 -> Lambda 6.2) /\ (0.7 <= th <= 0.7944 -> Lambda 22.7).
 
 (** (C11): what the clock shows at the last contact, beside k0 s. *)
 Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->
   PI/2 - 0.1 * (u / 2) <= (PI - u / 2) * cos (al + beta eps u) <= PI/2 + 0.6 * (u / 2) ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
-  -0.23 * eps <= clock eps u al - 1 - step_constant * sqrt eps <= -0.0885 * eps.
+  Rabs (clock eps u al - 1 - step_constant * sqrt eps + 0.1655 * eps) <= (0.004 + 0.5 * (u / 2)) * eps.

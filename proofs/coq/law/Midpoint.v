@@ -1,10 +1,13 @@
-(** The first part of the defect of a step (L49 of law.md), the error of the midpoint rule,
-  by Taylor's formula at each
+(** The first part of the defect of a step (L49 of law.md), the error of the midpoint rule, by Taylor's formula at each
     point, so that no derivative stands under an integral.
 
+    root              == sqrt (F^2 - J^2)
     G1, G2, G3, G4    == the derivatives of G by F
-    H, H2             == the derivatives of G by J
+    H, H2             == the derivatives of G by J (G_derive_J, H_derive_J)
+    grows             == a function is >= 0 that begins with 0 and has a derivative >= 0
+    combine, negated  == derivatives of e (p - f) and of - f
     even, odd         == f (F + y) + f (F - y) and f (F - y) - f (F + y)
+    moment_cos, moment_sin == the integrals of y^n cos y and of y^n sin y
     midpoint_error    == E1
     moments_between   == I2, I4, J1, J3
     midpoint_between  == E1 = m1 d^3, with bounds of G3 and G4 for G3* and G4* *)

@@ -1,12 +1,15 @@
-(** The orbit of a critical ratio (Theorem 2 (c), L43,
-  the first contact of L44): a sequence of contacts that ends with a
-    tangent flight. The corner orbit starts at its virtual contact 0, the top orbit at its contact 1.
+(** The orbit of a critical ratio (Theorem 2 (c), L43, the first contact of L44): a sequence of contacts that ends with
+    a tangent flight. The corner orbit starts at its virtual contact 0, the top orbit at its contact 1.
 
+    corner_start, top_start == where they start
     orbit             == its contacts (u i, al i), i = 0, ..., n, and the point y of tangency
     orbit_of_critical == every critical ratio q_c(N), N >= 4, has one, with eps = q^(-1/2)
-    first_invariant   == pi/2 <= J <= pi/2 + 0.2147 eps^2 at its first contact
+    arcsine           == r <= x <= 1.000001 r where sin x = r is small
+    top_first         == J - pi/2 is in [0.2145, 0.2147] eps^2 at the first contact of the top orbit
+    first_invariant   == pi/2 <= J <= pi/2 + 0.2147 eps^2 at the first contact of either
+    step_at           == the step from contact i, by the angle of its flight
     invariant_falls   == J falls along the orbit
-    angle_grows       == al grows along the orbit; u falls *)
+    contacts_fall     == u falls along the orbit; al grows *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -91,7 +94,7 @@ Proof.
   assert (x * x * x <= 2 / 1000000 * (2 / 1000000) * x) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 Lemma top_first eps u al : 0 < eps <= 1/1000 -> top_start eps u al ->
-  PI/2 <= invariant u al <= PI/2 + 0.2147 * (eps * eps).
+  PI/2 + 0.2145 * (eps * eps) <= invariant u al <= PI/2 + 0.2147 * (eps * eps).
 Proof.
   intros He [x [Hx [Sx [-> ->]]]]. set (r := eps * eps) in *.
   assert (R0 : 0 < r) by (apply Rmult_lt_0_compat; lra).
@@ -125,7 +128,7 @@ Lemma first_invariant eps N n u al y : eps <= 1/1000 -> orbit eps N n u al y ->
 Proof.
   intros He [_ [H0 _ _ _ _] [[_ [-> ->]]|[_ H]]].
   - unfold invariant. rewrite cos_0. assert (0 <= eps * eps) by apply Rle_0_sqr. lra.
-  - apply top_first; [lra | exact H].
+  - assert (T := top_first eps _ _ ltac:(lra) H). assert (0 <= eps * eps) by apply Rle_0_sqr. lra.
 Qed.
 
 (** Along an orbit. *)

@@ -1,12 +1,14 @@
-(** The proof of Theorem A in terms of its steps: if the clock T falls by 1 + D at each step of the layer, D lies
-    between D0 T (1 - 1.3 U) and D0 T, and T is 1 + e at the end, then e + the sum of D is the sum of the comparison
-    function, up to a tail and a logarithm.
+(** The layer in Theorem A, in terms of its steps: if the clock T falls by 1 + D at each, D lies between the bounds that
+    (C6) and (C7) give (z = k0 s, y = h/Delta, g = 5/(3 pi)), and T is 1 + e at the end, then e + the sum of D is the
+    sum of the comparison function, a logarithm, and small terms, with P = 1 - 1/(j + 1), the sum of all 1/(n (n - 1)).
 
-    sandwich_above == the upper half
-    sandwich_below == the lower half *)
+    clock_above       == T > j + 1 at j steps from the end
+    sandwich_above    == T <= j + 1 + e + the sum of the cubes
+    logarithm_above   == what is lost by the logarithm, at least
+    logarithm_below   == at most *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Cubes.
+From Dumbbell Require Import LawStatement Differences Cubes.
 Local Open Scope R_scope.
 
 Section Sandwich.
@@ -15,75 +17,92 @@ Hypothesis He : 0 < e.
 Hypothesis Hz : 0 <= z.
 Hypothesis Hend : T O = 1 + e.                                            (* steps are counted from the end *)
 Hypothesis Hstep : forall j, (j < m)%nat -> T (S j) = T j + 1 + D j.
-Hypothesis HD : forall j, (j < m)%nat -> 0 < D j <= D0 z (T (S j)).
+Let Delta j := difference (T (S j)).
+Hypothesis HD : forall j, (j < m)%nat -> 0 < D j <= z * Delta j ^ 3.
 
 Lemma clock_above j : (j <= m)%nat -> INR j + 1 < T j.
 Proof.
   induction j as [|j IH]; intros Hj; [rewrite Hend; simpl; lra|].
   rewrite (Hstep j Hj), S_INR. destruct (HD j Hj). assert (K := IH ltac:(lia)). lra.
 Qed.
+Lemma below_integer j : (j < m)%nat -> 2 <= INR (S (S j)) < T (S j) /\ 0 < Delta j <= difference (INR (S (S j))).
+Proof.
+  intros Hj. assert (A := clock_above (S j) Hj). assert (P := pos_INR j). rewrite S_INR in A. rewrite !S_INR.
+  split; [lra|]. apply difference_falls. lra.
+Qed.
 Theorem sandwich_above j : (j <= m)%nat -> T j - (INR j + 1) <= e + z * (sum_n cube j - 1).
 Proof.
   induction j as [|j IH]; intros Hj.
   - rewrite Hend, sum_O. unfold cube. simpl. rewrite sqrt_1, sqrt_0. lra.
   - rewrite (Hstep j Hj), sum_Sn, S_INR. change plus with Rplus. destruct (HD j Hj) as [_ U].
-    assert (K := IH ltac:(lia)).
-    assert (A := clock_above (S j) Hj). rewrite S_INR in A. assert (P := pos_INR j).
-    assert (M := D0_falls z (INR (S (S j))) (T (S j)) Hz ltac:(rewrite !S_INR; lra)). rewrite D0_at in M. lra.
+    assert (K := IH ltac:(lia)). destruct (below_integer j Hj) as [_ A]. rewrite cube_is.
+    assert (M : z * Delta j ^ 3 <= z * difference (INR (S (S j))) ^ 3)
+      by (apply Rmult_le_compat_l; [exact Hz | apply pow_incr; lra]). lra.
 Qed.
 
-Variables (U : nat -> R) (v x : R).
-Hypothesis Hv : 0 <= v.
-Hypothesis Hsum : e + z * (Series cube - 1) <= x.
-Hypothesis HL : forall j, (j < m)%nat -> D0 z (T (S j)) * (1 - 1.3 * U j) <= D j.
-Hypothesis HU : forall j, (j < m)%nat -> U j <= v * (sqrt (T (S j)) + sqrt (T (S j) - 1)).
+Variables (h g x : R).
+Hypothesis Hh : 0 <= h.
+Hypothesis Hg : 0 <= g.
+Hypothesis Hsum : e + z * (Series cube - 1) <= x <= 1.
+Hypothesis HU : forall j, (j < m)%nat -> let d := Delta j in
+  D j <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4)).
+Hypothesis HL : forall j, (j < m)%nat -> let d := Delta j in
+  z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D j.
+Let P j := 1 - / INR (S j).
 
-(** D0 U is at most z v (sqrt T - sqrt (T - 1))^2. *)
-Lemma slope_lost j : (j < m)%nat -> D0 z (T (S j)) * U j <= z * v / (4 * INR (S j)).
+(** What a step has: its Delta beside that of the integer n below its T. *)
+Lemma beside j : (j < m)%nat -> let n := INR (S (S j)) in let d := Delta j in let t := P (S j) - P j in
+  0 < d <= sqrt n - sqrt (INR (S j)) /\ 0 < t /\ cube (S j) - 0.156 * x * t <= d^3 <= cube (S j) /\
+  (ln n - ln (INR (S j))) / 4 - (0.0038 + x / 4) * t <= d^2 <= (ln n - ln (INR (S j))) / 4 /\ d^4 <= t / 16.
 Proof.
-  intros Hj. assert (A := clock_above (S j) Hj). assert (P := pos_INR j). rewrite S_INR in *. set (t := T (S j)) in *.
-  destruct (root_step t ltac:(lra)) as [E Q]. apply Rle_trans with (D0 z t * (v * (sqrt t + sqrt (t - 1)))).
-  - apply Rmult_le_compat_l; [apply (D0_falls z 1 t Hz); lra | exact (HU j Hj)].
-  - unfold D0. rewrite E.
-    replace (z * (/ (sqrt t + sqrt (t - 1))) ^ 3 * (v * (sqrt t + sqrt (t - 1)))) with
-      (z * v * / ((sqrt t + sqrt (t - 1)) * (sqrt t + sqrt (t - 1)))) by (field; lra).
-    unfold Rdiv. apply Rmult_le_compat_l; [now apply Rmult_le_pos|]. apply Rinv_le_contravar; [lra|].
-    assert (S1 : sqrt (t - 1) <= sqrt t) by (apply sqrt_le_1; lra). assert (S0 := sqrt_pos (t - 1)).
-    assert (S2 := sqrt_sqrt (t - 1) ltac:(lra)).
-    assert (sqrt (t - 1) * sqrt (t - 1) <= sqrt t * sqrt (t - 1)) by (now apply Rmult_le_compat_r).
-    assert (S3 := sqrt_sqrt t ltac:(lra)). lra.
-Qed.
-Definition log_sum (j : nat) := match j with O => 0 | S _ => 1 + ln (INR j) end.
-Lemma log_sum_grows j : log_sum j + / INR (S j) <= log_sum (S j).
-Proof.
-  destruct j as [|j]; [simpl; rewrite ln_1; lra|]. unfold log_sum. assert (P := pos_INR j).
-  rewrite (S_INR (S j)). set (n := INR (S j)). assert (N : 0 < n) by (unfold n; rewrite S_INR; lra).
-  assert (L : - ln (1 + - / (n + 1)) >= / (n + 1)).
-  { assert (0 < / (n + 1) < 1) by (split; [apply Rinv_0_lt_compat; lra | rewrite <- Rinv_1; apply Rinv_lt_contravar;
-      lra]).
-    assert (K := exp_ineq1_le (- / (n + 1))). apply ln_le in K; [|lra]. rewrite ln_exp in K. lra. }
-  replace (1 + - / (n + 1)) with (n * / (n + 1)) in L by (field; lra). rewrite ln_mult, ln_Rinv in L; try lra.
-  apply Rinv_0_lt_compat. lra.
-Qed.
-Theorem sandwich_below j : (j <= m)%nat ->
-  z * (sum_n cube j - 1) * (1 - 1.08 * x) - 1.3 * (z * v / 4) * log_sum j <= T j - (INR j + 1) - e.
-Proof.
-  induction j as [|j IH]; intros Hj.
-  - rewrite Hend, sum_O. unfold cube. simpl. rewrite sqrt_1, sqrt_0. lra.
-  - rewrite (Hstep j Hj), sum_Sn, S_INR. change plus with Rplus. specialize (IH ltac:(lia)). assert (P := pos_INR j).
-    assert (A := clock_above (S j) Hj). assert (B := sandwich_above (S j) Hj). rewrite S_INR in A, B.
-    assert (Bs := sum_below_series (S j)).
+  intros Hj n d t. destruct (below_integer j Hj) as [A B]. fold d n in B. fold n in A.
+  assert (En : INR (S j) = n - 1) by (unfold n; rewrite (S_INR (S j)); ring).
+  assert (Et : t = / (n * (n - 1))) by (unfold t, P; fold n; rewrite En; field; lra).
+  assert (Hx : 0 <= T (S j) - n <= x).
+  { assert (W := sandwich_above (S j) Hj). assert (Bs := sum_below_series (S j)).
     assert (z * (sum_n cube (S j) - 1) <= z * (Series cube - 1)) by (apply Rmult_le_compat_l; lra).
-    assert (W := slope_lost j Hj). assert (L := HL j Hj).
-    assert (V := D0_raised z (INR (S (S j))) (T (S j) - INR (S (S j))) Hz ltac:(rewrite !S_INR;
-      lra) ltac:(rewrite !S_INR; lra)).
-    replace (INR (S (S j)) + (T (S j) - INR (S (S j)))) with (T (S j)) in V by ring. rewrite D0_at in V.
-    assert (C := cube_pos (S j)). assert (Zc : 0 <= z * cube (S j)) by (now apply Rmult_le_pos).
-    assert (Q : z * cube (S j) * (1 - 1.08 * x) <= z * cube (S j) * (1 - 1.08 * (T (S j) - INR (S (S j))))).
-    { apply Rmult_le_compat_l; [exact Zc|]. rewrite !S_INR. lra. }
-    assert (G := log_sum_grows j). assert (ZV : 0 <= 1.3 * (z * v / 4)) by (assert (0 <= z * v)
-      by (now apply Rmult_le_pos); lra).
-    assert (G' := Rmult_le_compat_l _ _ _ ZV G). replace (z * v / (4 * INR (S j))) with (z * v / 4 * / INR (S j)) in W
-      by (field; apply not_0_INR; lia). lra.
+    unfold n. unfold n in A. rewrite (S_INR (S j)) in *. lra. }
+  destruct (roots_of_n n ltac:(lra)) as [_ [_ [_ [_ T0]]]]. destruct (square_below n ltac:(lra)) as [D0 _].
+  assert (C := cube_raised n ltac:(lra) (T (S j) - n) ltac:(lra)).
+  assert (Sq := square_raised n ltac:(lra) (T (S j) - n) ltac:(lra)).
+  replace (n + (T (S j) - n)) with (T (S j)) in C, Sq by ring. fold (Delta j) in C, Sq. fold d in C, Sq.
+  assert (F := fourth_power n ltac:(lra)). assert (L := logarithm n ltac:(lra)). rewrite <- Et in C, Sq, F, L, T0.
+  assert (X : (T (S j) - n) * t <= x * t) by (apply Rmult_le_compat_r; lra).
+  assert (d ^ 2 <= difference n ^ 2) by (apply pow_incr; lra).
+  assert (d ^ 4 <= difference n ^ 4) by (apply pow_incr; lra).
+  assert (d ^ 3 <= difference n ^ 3) by (apply pow_incr; lra). rewrite cube_is. fold n. rewrite En.
+  unfold difference in B. repeat split; lra.
+Qed.
+Lemma at_zero : P O = 0 /\ ln (INR 1) = 0 /\ sqrt (INR 1) = 1 /\ sum_n cube 0 = 1.
+Proof.
+  unfold P. rewrite sum_O. unfold cube. simpl. rewrite Rinv_1, ln_1, sqrt_1, sqrt_0. repeat split; ring.
+Qed.
+Theorem logarithm_above j : (j <= m)%nat -> T j - (INR j + 1) - e <= z * (sum_n cube j - 1) -
+  z * h * g * (ln (INR (S j)) / 4 - (0.0038 + x / 4) * P j) + 0.31 * (z * h^2) * (sqrt (INR (S j)) - 1) +
+  z * h / 64 * P j.
+Proof.
+  destruct at_zero as [Z1 [Z2 [Z3 Z4]]].
+  induction j as [|j IH]; intros Hj; [rewrite Hend, Z1, Z2, Z3, Z4; simpl; lra|]. specialize (IH ltac:(lia)).
+  rewrite (Hstep j Hj), sum_Sn, (S_INR j). change plus with Rplus. assert (U := HU j Hj). cbv zeta in U.
+  destruct (beside j Hj) as [A1 [A2 [A3 [A4 A5]]]]. set (d := Delta j) in *. set (t := P (S j) - P j) in *.
+  assert (ZH : 0 <= z * h) by (now apply Rmult_le_pos). assert (ZG : 0 <= z * h * g) by (now apply Rmult_le_pos).
+  assert (ZZ : 0 <= z * h^2) by (apply Rmult_le_pos; [exact Hz | apply pow2_ge_0]).
+  assert (M1 := Rmult_le_compat_l z _ _ Hz (proj2 A3)). assert (M2 := Rmult_le_compat_l _ _ _ ZG (proj1 A4)).
+  assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)). assert (M4 := Rmult_le_compat_l _ _ _ ZH A5).
+  replace (P (S j)) with (P j + t) by (unfold t; ring). lra.
+Qed.
+Theorem logarithm_below j : (j <= m)%nat -> z * (sum_n cube j - 1) - 0.156 * (z * x) * P j -
+  z * h * g * (ln (INR (S j)) / 4) - 0.24 * (z * h^2) * (sqrt (INR (S j)) - 1) - z * h / 32 * P j <=
+  T j - (INR j + 1) - e.
+Proof.
+  destruct at_zero as [Z1 [Z2 [Z3 Z4]]].
+  induction j as [|j IH]; intros Hj; [rewrite Hend, Z1, Z2, Z3, Z4; simpl; lra|]. specialize (IH ltac:(lia)).
+  rewrite (Hstep j Hj), sum_Sn, (S_INR j). change plus with Rplus. assert (L := HL j Hj). cbv zeta in L.
+  destruct (beside j Hj) as [A1 [A2 [A3 [A4 A5]]]]. set (d := Delta j) in *. set (t := P (S j) - P j) in *.
+  assert (ZH : 0 <= z * h) by (now apply Rmult_le_pos). assert (ZG : 0 <= z * h * g) by (now apply Rmult_le_pos).
+  assert (ZZ : 0 <= z * h^2) by (apply Rmult_le_pos; [exact Hz | apply pow2_ge_0]).
+  assert (M1 := Rmult_le_compat_l z _ _ Hz (proj1 A3)). assert (M2 := Rmult_le_compat_l _ _ _ ZG (proj2 A4)).
+  assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)). assert (M4 := Rmult_le_compat_l _ _ _ ZH A5).
+  replace (P (S j)) with (P j + t) by (unfold t; ring). lra.
 Qed.
 End Sandwich.

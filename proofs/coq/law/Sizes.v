@@ -1,8 +1,10 @@
 (** What J loses at a step, nothing singular (L43 (c) and L49 (11) of law.md): J - J' = a d^3/U^2.
 
+    sinc            == sin x/x
     L43c_fall       == (8): J - J' from X - X', c - c' and the sines of beta
     L43c_X, L43c_cos, L43c_sin == these differences in closed form
-    size_x, size_c, size_s     == x^, k_c, k_s
+    size_x, size_c, size_s, size == x^, k_c, k_s, a
+    size_x1, size_after, size_before == X_1, a_p, a_A
     L49_size        == J - J' = a d^3/U^2, C8_reads == condition (C8) is a/(2 eps^^2) <= 15.9
     L49_after, L49_before == A' = a_p d^2/U, A = a_A d^2/U *)
 From Coq Require Import Reals Lra.

@@ -1,7 +1,9 @@
 (** The clock at the first contact (L46 of law.md).
 
     corner_clock == T_0 = C/(2 eps) on the corner orbit
-    top_clock    == C/(2 eps) - 1/2 - T_1 is in [-0.0006, 0.0590] eps on the top orbit *)
+    W            == sin (J/cos a)
+    growth_lost  == what the integral C loses as J rises from pi/2
+    top_clock    == C/(2 eps) - 1/2 - T_1 is in [0.0580, 0.0590] eps on the top orbit *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -30,8 +32,8 @@ Proof.
   intros a Ha. apply (ex_derive_continuous (W J) a). unfold W. auto_derive. destruct (cos_third a); lra.
 Qed.
 Definition slope_of_growth : R := RInt (fun a => - cos (PI / 2 / cos a) / cos a) 0 (PI / 3).
-Lemma slope_value : slope_of_growth <= 0.5494.
-Proof. unfold slope_of_growth. integral. Qed.
+Lemma slope_value : 0.5493 <= slope_of_growth <= 0.5494.
+Proof. unfold slope_of_growth. split; integral. Qed.
 Lemma slope_integrable : ex_RInt (fun a => - cos (PI / 2 / cos a) / cos a) 0 (PI / 3).
 Proof.
   assert (P := pi_value). apply (ex_RInt_continuous (V := R_CompleteNormedModule)).
@@ -57,11 +59,41 @@ Proof.
   - apply Rnot_lt_le. intros K. assert (cos A < cos (PI/3)) by (apply cos_decreasing_1; lra). rewrite cos_PI3 in *.
     lra.
 Qed.
+(** What the whole integral loses as J rises from pi/2. *)
+Lemma growth_lost : h * slope_of_growth - 4.2 * (h * h) <= growth - RInt (W J) 0 (PI/3) <=
+  h * slope_of_growth + 4.2 * (h * h).
+Proof.
+  assert (P := pi_value). assert (h0 : 0 <= h) by (unfold h; lra).
+  set (f := fun k a => h * (- cos (PI / 2 / cos a) / cos a) + k * (h * h)).
+  assert (F : forall k, is_RInt (f k) 0 (PI/3) (h * slope_of_growth + PI/3 * (k * (h * h)))).
+  { intros k. apply (is_RInt_plus (fun a => h * (- cos (PI / 2 / cos a) / cos a)) (fun _ => k * (h * h))).
+    - apply (is_RInt_scal (fun a => - cos (PI / 2 / cos a) / cos a)).
+      exact (RInt_correct (V := R_CompleteNormedModule) _ _ _ slope_integrable).
+    - replace (PI/3 * (k * (h * h))) with ((PI/3 - 0) * (k * (h * h))) by ring.
+      apply (is_RInt_const 0 (PI/3) (k * (h * h))). }
+  assert (I := fun K => W_integrable K 0 (PI/3) ltac:(lra) ltac:(lra)).
+  assert (M : is_RInt (fun a => W (PI/2) a - W J a) 0 (PI/3) (growth - RInt (W J) 0 (PI/3))).
+  { apply (is_RInt_minus (W (PI/2)) (W J)); [exact (RInt_correct (V := R_CompleteNormedModule) _ _ _ (I (PI/2)))
+      | exact (RInt_correct (V := R_CompleteNormedModule) _ _ _ (I J))]. }
+  assert (K : forall a, 0 < a < PI/3 -> f (-4) a <= W (PI/2) a - W J a <= f 4 a).
+  { intros a Ha. destruct (cos_third a ltac:(lra)) as [B1 B2]. unfold f, W.
+    set (y := PI / 2 / cos a). set (dd := h / cos a).
+    assert (D0 : 0 <= dd) by (apply Rmult_le_pos; [exact h0 | left; apply Rinv_0_lt_compat; lra]).
+    assert (D1 : dd <= 2 * h). { apply quotient_at_most; [lra|].
+      apply Rle_trans with (2 * h * (1/2)); [lra | apply Rmult_le_compat_l; lra]. }
+    assert (D2 : dd * dd <= 2 * h * (2 * h)) by (apply Rmult_le_compat; lra).
+    replace (J / cos a) with (y + dd) by (unfold y, dd, h; field; lra).
+    assert (Sh := sin_near y dd). apply Rabs_le_between in Sh.
+    replace (h * (- cos y / cos a)) with (- (dd * cos y)) by (unfold dd; field; lra). lra. }
+  assert (L := is_RInt_le _ _ 0 (PI/3) _ _ ltac:(lra) (F (-4)) M (fun a Ha => proj1 (K a Ha))).
+  assert (U := is_RInt_le _ _ 0 (PI/3) _ _ ltac:(lra) M (F 4) (fun a Ha => proj2 (K a Ha))).
+  assert (0 <= h * h) by apply Rle_0_sqr.
+  assert (PI/3 * (h * h) <= 1.05 * (h * h)) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
 (** What the clock has, from both sides. *)
 Lemma from_above : growth - clock_integral J b <= h * slope_of_growth + 4.2 * (h * h) + b.
 Proof.
   assert (P := pi_value). destruct upper_end as [[A1 A2] EA]. unfold clock_integral. fold (W J). fold A.
-  assert (h0 : 0 <= h) by (unfold h; lra).
   assert (C1 : RInt (W J) b (PI/3) <= RInt (W J) b A).
   { rewrite <- (RInt_Chasles (W J) b A (PI/3)); [|apply W_integrable; lra | apply W_integrable; lra].
     assert (RInt (W J) A (PI/3) <= 0); [|unfold plus; simpl; lra].
@@ -78,69 +110,44 @@ Proof.
   assert (C3 : RInt (W J) 0 b <= b).
   { apply Rle_trans with (RInt (fun _ => 1) 0 b); [|rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; lra].
     apply RInt_le; [lra | apply W_integrable; lra | apply ex_RInt_const|]. intros a _. apply SIN_bound. }
-  assert (C4 : growth - RInt (W J) 0 (PI/3) <= h * slope_of_growth + 4.2 * (h * h)).
-  { set (f := fun a => h * (- cos (PI / 2 / cos a) / cos a) + 4 * (h * h)).
-    assert (F : is_RInt f 0 (PI/3) (h * slope_of_growth + PI/3 * (4 * (h * h)))).
-    { apply (is_RInt_plus (fun a => h * (- cos (PI / 2 / cos a) / cos a)) (fun _ => 4 * (h * h))).
-      - apply (is_RInt_scal (fun a => - cos (PI / 2 / cos a) / cos a)).
-        exact (RInt_correct (V := R_CompleteNormedModule) _ _ _ slope_integrable).
-      - replace (PI/3 * (4 * (h * h))) with ((PI/3 - 0) * (4 * (h * h))) by ring.
-        apply (is_RInt_const 0 (PI/3) (4 * (h * h))). }
-    assert (M : RInt (W (PI/2)) 0 (PI/3) - RInt (W J) 0 (PI/3) <= RInt f 0 (PI/3)).
-    { assert (E : RInt (fun a => W (PI/2) a - W J a) 0 (PI/3) = RInt (W (PI/2)) 0 (PI/3) - RInt (W J) 0 (PI/3))
-        by (exact (RInt_minus (W (PI/2)) (W J) 0 (PI/3) (W_integrable _ 0 (PI/3) ltac:(lra) ltac:(lra))
-          (W_integrable _ 0 (PI/3) ltac:(lra) ltac:(lra)))). rewrite <- E.
-      apply RInt_le; [lra | | eexists; exact F |].
-      - exact (ex_RInt_minus (W (PI/2)) (W J) 0 (PI/3) (W_integrable _ 0 (PI/3) ltac:(lra) ltac:(lra))
-          (W_integrable _ 0 (PI/3) ltac:(lra) ltac:(lra))).
-      - intros a Ha. destruct (cos_third a ltac:(lra)) as [B1 B2]. unfold f, W.
-        set (y := PI / 2 / cos a). set (dd := h / cos a).
-        assert (D0 : 0 <= dd) by (apply Rmult_le_pos; [exact h0 | left; apply Rinv_0_lt_compat; lra]).
-        assert (D1 : dd <= 2 * h). { apply quotient_at_most; [lra|].
-          apply Rle_trans with (2 * h * (1/2)); [lra | apply Rmult_le_compat_l; lra]. }
-        assert (D2 : dd * dd <= 2 * h * (2 * h)) by (apply Rmult_le_compat; lra).
-        replace (J / cos a) with (y + dd) by (unfold y, dd, h; field; lra).
-        assert (S := sin_near y dd). apply Rabs_le_between in S.
-        replace (h * (- cos y / cos a)) with (- (dd * cos y)) by (unfold dd; field; lra). lra. }
-    rewrite (is_RInt_unique _ _ _ _ F) in M.
-    change (growth - RInt (W J) 0 (PI/3) <= h * slope_of_growth + PI/3 * (4 * (h * h))) in M.
-    assert (0 <= h * h) by apply Rle_0_sqr.
-    assert (PI/3 * (4 * (h * h)) <= 1.05 * (4 * (h * h))) by (apply Rmult_le_compat_r; lra). lra. }
-  lra.
+  assert (C4 := growth_lost). lra.
 Qed.
-Lemma from_below w : (forall a, 0 <= a <= b -> w <= W J a) -> w * b <= growth - clock_integral J b.
+Lemma from_below w : (forall a, 0 <= a <= b -> w <= W J a) ->
+  h * slope_of_growth - 4.2 * (h * h) - 0.002 * h + w * b <= growth - clock_integral J b.
 Proof.
   intros Hw. assert (P := pi_value). destruct upper_end as [[A1 A2] EA]. unfold clock_integral. fold (W J). fold A.
-  assert (C1 : RInt (W (PI/2)) 0 A <= growth).
-  { change growth with (RInt (W (PI/2)) 0 (PI/3)).
-    rewrite <- (RInt_Chasles (W (PI/2)) 0 A (PI/3)); [|apply W_integrable; lra | apply W_integrable; lra].
-    assert (0 <= RInt (W (PI/2)) A (PI/3)); [|unfold plus; simpl; lra].
-    apply RInt_ge_0; [lra | apply W_integrable; lra |]. intros a Ha. destruct (cos_third a ltac:(lra)) as [B1 B2].
-    unfold W.
-    apply sin_ge_0; [left; apply Rdiv_lt_0_compat; lra|]. apply quotient_at_most; [lra|].
-    apply Rle_trans with (PI * (1/2)); [lra | apply Rmult_le_compat_l; lra]. }
-  assert (C2 : RInt (W J) 0 A <= RInt (W (PI/2)) 0 A).
-  { apply RInt_le; [lra | apply W_integrable; lra | apply W_integrable; lra|]. intros a Ha.
-    destruct (cos_third a ltac:(lra)) as [B1 B2].
-    assert (B3 : cos A <= cos a) by (apply cos_decr_1; lra). unfold W.
-    assert (I : 0 < / cos a) by (apply Rinv_0_lt_compat; lra).
-    assert (L : J / cos a <= PI). { apply quotient_at_most; [lra|].
-      rewrite <- EA. apply Rmult_le_compat_l; lra. }
-    assert (M : PI / 2 / cos a <= J / cos a) by (apply Rmult_le_compat_r; lra).
-    assert (K : PI / 2 <= PI / 2 / cos a). { apply quotient_at_least; [lra|].
-      apply Rle_trans with (PI / 2 * 1); [apply Rmult_le_compat_l; lra | lra]. }
-    apply sin_decr_1; lra. }
-  assert (C3 : RInt (W J) 0 b + RInt (W J) b A = RInt (W J) 0 A)
+  assert (h0 : 0 <= h) by (unfold h; lra).
+  assert (A3 : PI/3 - 0.001 <= A).
+  { apply Rnot_lt_le. intros K. assert (V : 0.5008 <= cos (PI/3 - 0.001)) by interval.
+    assert (cos (PI/3 - 0.001) <= cos A) by (apply cos_decr_1; lra).
+    assert (PI * 0.5008 <= PI * cos A) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (C1 : - 0.002 * h <= RInt (W J) A (PI/3)).
+  { apply Rle_trans with (RInt (fun _ => - 2 * h) A (PI/3)).
+    - rewrite RInt_const; unfold scal; simpl; unfold mult; simpl.
+      assert ((PI/3 - A) * h <= 0.001 * h) by (apply Rmult_le_compat_r; lra). lra.
+    - apply RInt_le; [lra | apply ex_RInt_const | apply W_integrable; lra|]. intros a Ha. unfold W.
+      destruct (cos_third a ltac:(lra)) as [B1 B2]. assert (B3 : cos a <= cos A) by (apply cos_decr_1; lra).
+      assert (L : PI <= J / cos a).
+      { apply quotient_at_least; [lra|]. rewrite <- EA. apply Rmult_le_compat_l; lra. }
+      assert (U : J / cos a <= PI + 2 * h).
+      { apply quotient_at_most; [lra|]. unfold h. apply Rle_trans with ((PI + 2 * (J - PI/2)) * (1/2)); [lra|].
+        apply Rmult_le_compat_l; lra. }
+      replace (J / cos a) with (J / cos a - PI + PI) by ring. rewrite neg_sin.
+      assert (sin (J / cos a - PI) <= J / cos a - PI); [|lra].
+      destruct L as [L|<-]; [left; apply sin_lt_x; lra | replace (PI - PI) with 0 by ring; rewrite sin_0; lra]. }
+  assert (C2 : RInt (W J) 0 b + RInt (W J) b A = RInt (W J) 0 A)
     by (apply (RInt_Chasles (W J) 0 b A); apply W_integrable; lra).
+  assert (C3 : RInt (W J) 0 A + RInt (W J) A (PI/3) = RInt (W J) 0 (PI/3))
+    by (apply (RInt_Chasles (W J) 0 A (PI/3)); apply W_integrable; lra).
   assert (C4 : w * b <= RInt (W J) 0 b).
   { apply Rle_trans with (RInt (fun _ => w) 0 b); [rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; lra|].
     apply RInt_le; [lra | apply ex_RInt_const | apply W_integrable; lra|]. intros a Ha. apply Hw. lra. }
-  lra.
+  assert (C5 := growth_lost). lra.
 Qed.
 End Top.
 
 Theorem top_clock eps u al : 0 < eps <= 1/1000 -> top_start eps u al ->
-  -0.0006 * eps <= growth / (2 * eps) - 1/2 - clock eps u al <= 0.0590 * eps.
+  0.0580 * eps <= growth / (2 * eps) - 1/2 - clock eps u al <= 0.0590 * eps.
 Proof.
   intros He H. assert (HJ := top_first eps u al He H). destruct H as [x [Hx [Sx [Eu ->]]]]. assert (P := pi_value).
   assert (E2 : 0 < eps * eps <= 1/1000 * eps) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
@@ -168,12 +175,14 @@ Proof.
     apply Rmult_lt_reg_r with (cos x); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
     assert (eps * cos x < eps * 1) by (apply Rmult_lt_compat_l; lra). lra. }
   set (J := invariant u b) in *. assert (HJ2 : PI/2 <= J <= PI/2 + 1/1000000) by lra.
-  assert (U := from_above J b HJ2 ltac:(lra)). assert (V := slope_value).
+  assert (U := from_above J b HJ2 ltac:(lra)). destruct slope_value as [V0 V].
   assert (G1 : (J - PI/2) * slope_of_growth <= 0.2147 * (eps * eps) * 0.5494).
   { apply Rle_trans with ((J - PI/2) * 0.5494); [apply Rmult_le_compat_l; lra | apply Rmult_le_compat_r; lra]. }
   assert (G2 : (J - PI/2) * (J - PI/2) <= 0.2147 * (eps * eps) * (0.2147 * (eps * eps)))
     by (apply Rmult_le_compat; lra).
-  assert (L : (1 - 0.00001 * (eps * eps)) * b <= growth - clock_integral J b).
+  assert (G3 : 0.2145 * (eps * eps) * 0.5493 <= (J - PI/2) * slope_of_growth) by (apply Rmult_le_compat; lra).
+  assert (L : (J - PI/2) * slope_of_growth - 4.2 * ((J - PI/2) * (J - PI/2)) - 0.002 * (J - PI/2) +
+    (1 - 0.00001 * (eps * eps)) * b <= growth - clock_integral J b).
   { apply from_below; [exact HJ2 | lra |]. intros a Ha. unfold W. assert (Ca := cosine_below a ltac:(lra)).
     destruct (COS_bound a) as [_ Ca1].
     assert (aa : a * a <= 1.1 * (eps * eps)).

@@ -1,17 +1,18 @@
 (** Theorem B of law.md from bounds of delta_N = C sqrt (q_c(N)) - (N - 2), and these for N <= 902 from the conditions
     (C1) to (C4).
 
-    delta            == delta_N
+    growth_value, c0_value == decimals of C and c0
+    law_mono         == both sides of the law grow with q
     law_from_delta   == 0 < delta_N < c0 q^(-1/4) for N >= 9 gives the law
     everywhere_from_delta == -0.115 <= delta_N <= 0.020 for N >= 3 gives its second half
-    steps_delta      == the conditions say so of N <= 902 *)
+    critical_between == (C1) encloses the critical ratio
+    steps_delta      == what the conditions say of N <= 902
+    above_a_million  == (C2): q_c(903) > 10^6 *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
 From Dumbbell Require Import Statement Maximum EqualMasses ExactMaximum CriticalRatios LawStatement Cubes.
 Local Open Scope R_scope.
-
-Definition delta N q := growth * sqrt q - (INR N - 2).
 
 Lemma growth_value : 0.885 <= growth <= 0.886.
 Proof. unfold growth. split; integral. Qed.

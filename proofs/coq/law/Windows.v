@@ -1,9 +1,10 @@
 (** First windows (L53 of law.md): where the middle invariant Q of a step, or of the tangent flight, is.
 
-    L53a_layer  == in the layer Q is in pi/2 + [-0.01, 0.05]
-    L53b_bulk   == in the bulk Q is in pi/2 + [-1, 3] 10^-5, th < 0.7944, d < 0.00293, beta <= 0.0013
-    L53c_end    == at the end Q is in pi/2 + d [-0.1, 0.6]
-    last_half_step == the step from the bulk into the layer is short, too *)
+    beta_above      == 0 < beta <= eps/sin u
+    L53a_layer      == in the layer Q is in pi/2 + [-0.01, 0.05]
+    L53b_bulk       == in the bulk Q is in pi/2 + [-1, 3] 10^-5, th < 0.7944, d < 0.00293, beta <= 0.0013
+    L53c_end        == at the end Q is in pi/2 + d [-0.1, 0.6]
+    last_half_step  == the step from the bulk into the layer is short, too *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -139,7 +140,7 @@ Proof.
   assert (d * 0.0013 <= 0.00293 * 0.0013) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 (** The step from the last contact of the bulk. *)
-Theorem last_half_step : 0.897 <= u -> d <= U / 5 -> U <= 9/10 -> PI/2 - 1/100000 <= J -> u <= 0.91.
+Theorem last_half_step : 0.897 <= u -> d <= U / 5 -> U <= 9/10 -> PI/2 - 1/100000 <= J -> u <= 0.9042.
 Proof.
   intros Hu0 Hd HU HJ. assert (P := pi_value). destruct window_values as [_ [_ [_ [V _]]]].
   assert (Eu : u = U + d) by (unfold U, d, middle, half; lra).

@@ -1,6 +1,7 @@
 (** Bounds of sine and cosine by polynomials.
 
     tangent_above   == d cos d < sin d
+    sine_square     == sin^2 x <= x^2
     cosine_below    == 1 - x^2/2 <= cos x
     sine_below      == x - x^3/6 <= sin x
     arctangent_below == x - x^3 <= atan x *)

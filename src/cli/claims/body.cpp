@@ -61,8 +61,8 @@ bool is_about_body(const Given& given) {
 
 CertifyRequest body_request(const Given& given) {
     const auto scene = given.has("--scene") ? given.text("--scene") : "body";
-    if (scene != "body" || given.has("--section")) {
-        throw InputError("bodies are of --scene body, without --section");
+    if (scene != "body") {
+        throw InputError("bodies are of --scene body");
     }
     if (!given.has("--rod-mass") && given.has("RATIO")) {
         throw InputError(

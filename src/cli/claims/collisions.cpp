@@ -27,6 +27,9 @@ collisions::CertifyRequest dumbbell_or_wedge(const Given& given, const RatioArgu
 }  // namespace
 
 collisions::CertifyRequest request_of(const Given& given, const std::optional<RatioArgument>& ratio) {
+    if (!ratio && given.has("--section")) {
+        throw InputError("bodies are of --scene body, without --section");
+    }
     collisions::CertifyRequest request = ratio ? dumbbell_or_wedge(given, *ratio) : body_request(given);
     request.gap = parse_gap(given.text("--gap"));
     if (const auto reason =

@@ -150,6 +150,9 @@ Piece proved_piece(const Rational& q, Observer& observer) {
 
 std::string draw_staircase(const PlotRequest& request) {
     const auto certificate = certificate_for<Certificate>(request.file, "staircase", make_staircase);
+    if (certificate.heights) {
+        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", request.file));
+    }
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }

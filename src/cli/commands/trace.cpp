@@ -6,6 +6,7 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
+#include "cli/claims/body.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/list/list.hpp"
@@ -43,6 +44,10 @@ before a collision, in the metric of the kinetic energy: the sine of the angle b
 trajectories (theorem 1 of proofs/theorem.md) where that is less. Up to a ratio of 10^12 a certificate has the same
 bounds.
 
+Of a body (--coin, --rod-mass, or --rho with --inertia) the light end is the one at the distance d1 from the centre of
+mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds until a corner is met. There is no
+certificate of it.
+
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
@@ -51,7 +56,8 @@ Examples:
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
   dumbbell trace --list ratios.txt --phi 1/3 --phidot 1 --y 3 --ydot -1/2    at each ratio of a file
-  dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
+  dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?
+  dumbbell trace --coin --phi 1/3 --phidot 1 --y 3 --ydot -1/2           a body with mass between its contacts)";
 
 constexpr const char* trace_footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -64,8 +70,10 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
 }
 
-constexpr std::array trace_options{
+constexpr std::array start_options{
     ratio_option,
+    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body with mass between its contacts",
+           "dumbbell"},
     list_option.excludes("RATIO,--csv,--quiet"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
@@ -102,6 +110,8 @@ constexpr std::array trace_options{
     flag("--quiet", "the outcome alone: a sentence, and with --subdivide the table of what was decided")
         .excludes("--csv,--json")};
 
+constexpr auto trace_options = joined(start_options, body_options);
+
 /// Bits of the bounds of an irrational angle: with --subdivide no more than a line of a certificate holds.
 int bits_of_angle(const Given& given, int digits) {
     constexpr int most_in_certificate = 3000;
@@ -134,19 +144,41 @@ void require_start(const Given& given) {
     }
 }
 
-starts::GivenStart start_of(const Given& given, const RatioArgument& ratio, int digits) {
+/// A massless dumbbell's ratio, or a body's Q and rho.
+struct System {
+    RatioArgument ratio;
+    std::optional<Rational> rho;
+};
+
+System system_of(const Given& given) {
+    if (!is_about_body(given)) {
+        return {given_ratio(given), {}};
+    }
+    const collisions::CertifyRequest body = body_request(given);
+    const collisions::Heights& heights = *body.heights;
+    if (given.has("--out")) {
+        throw InputError("there are no certificates about starts of bodies: leave out --out");
+    }
+    if (body.q_lo != body.q_hi || heights.lo != heights.hi) {
+        throw InputError("trace follows a single body: --rho and --inertia are numbers here, not ranges");
+    }
+    return {{body.q_lo, body.q_lo, false}, heights.lo};
+}
+
+starts::GivenStart start_of(const Given& given, const System& system, int digits) {
     return starts::read_start({.phi = given.text("--phi"),
                                .phidot = given.text("--phidot"),
                                .y = given.text("--y"),
                                .ydot = given.text("--ydot")},
-                              ratio.lo, ratio.hi, "--", bits_of_angle(given, digits));
+                              system.ratio.lo, system.ratio.hi, "--", bits_of_angle(given, digits),
+                              system.rho);
 }
 
-starts::Box incoming_box_of(const RatioArgument& ratio) {
-    if (ratio.lo != ratio.hi) {
+starts::Box incoming_box_of(const System& system) {
+    if (system.ratio.lo != system.ratio.hi) {
         throw InputError("--incoming takes a single mass ratio: the natural measure depends on it");
     }
-    return starts::incoming_box(ratio.lo);
+    return starts::incoming_box(system.ratio.lo, system.rho);
 }
 
 /// But for its tree.
@@ -179,11 +211,11 @@ void print(std::FILE* out, const Given& given, const starts::TraceReport& report
 }
 
 /// But for what is found.
-starts::TraceReport report_at(const Given& given, const RatioArgument& ratio) {
+starts::TraceReport report_at(const Given& given, const System& system) {
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
     const bool incoming = given.has("--incoming");
     starts::GivenStart start =
-        incoming ? starts::GivenStart{incoming_box_of(ratio), {}} : start_of(given, ratio, digits);
+        incoming ? starts::GivenStart{incoming_box_of(system), {}} : start_of(given, system, digits);
     if (given.has("--out")) {
         require_short_lines(start.box);
     }
@@ -227,7 +259,7 @@ void follow(starts::TraceReport& report, const Given& given, int jobs, Verbosity
         halve(report, given, jobs, verbosity, interrupted);
     }
     if (!is_cut(report) && (!report.trace.exact() || report.parts)) {
-        bound_by_maximum(report, starts::most_of_all(report.box.upper(starts::Axis::ratio)));
+        bound_by_maximum(report, starts::most_of_all(report.box));
     }
     report.seconds = watch.seconds();
 }
@@ -245,7 +277,7 @@ SealedText text_of_certificate(const starts::TraceReport& report) {
 
 /// What is said of a line of --list.
 ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
-    starts::TraceReport report = report_at(given, ratio);
+    starts::TraceReport report = report_at(given, {ratio, {}});
     follow(report, given, 1, Verbosity::quiet);
     ListAnswer answer{.rows = {{ratio.lo, ratio.hi, report.trace.least, report.trace.most}},
                       .is_decided = is_certified(report)};
@@ -262,12 +294,15 @@ ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std:
 int run_trace(const Given& given) {
     require_start(given);
     if (given.has("--list")) {
+        if (is_about_body(given)) {
+            throw InputError("--list is for mass ratios, not for a body");
+        }
         return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
             return trace_line(given, ratio, out);
         });
     }
-    const RatioArgument ratio = given_ratio(given);
-    starts::TraceReport report = report_at(given, ratio);
+    const System system = system_of(given);
+    starts::TraceReport report = report_at(given, system);
     const Output output(given.text("--out"), {},
                         given.has("--json")  ? "--json"
                         : given.has("--csv") ? "--csv"
@@ -285,7 +320,7 @@ int run_trace(const Given& given) {
         });
         report.out = output.file();
     }
-    print(output.report(), given, report, ratio.swapped);
+    print(output.report(), given, report, system.ratio.swapped);
     return is_certified(report) ? exit_done : exit_not_certified;
 }
 

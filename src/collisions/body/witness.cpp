@@ -9,18 +9,19 @@
 namespace dumbbell::collisions {
 namespace {
 
-/// Powers of two and the middles between them, down to 2^-40, and `steps` places on the way to `end`, ends
-/// excluded. Long orbits start close to the corner, to the top, and to tangents of the bridge.
+/// `steps` places on the way down from `end`, ends excluded, and powers of two and the middles between them,
+/// down to 2^-40. Long orbits start close to the corner, to the top, and to tangents of the bridge; the
+/// first that is found is large enough to be seen.
 std::vector<double> places(double end, int steps) {
     std::vector<double> all;
-    for (int depth = 40; depth > 2; --depth) {
-        for (const double size : {1.0, 1.5}) {
-            all.push_back(std::ldexp(size, -depth));
-        }
-    }
-    for (int i = 1; i < steps; ++i) {
+    for (int i = steps - 1; i > 0; --i) {
         // Few bits: the file spells them.
         all.push_back(std::ldexp(std::round(std::ldexp(end * i / steps, 16)), -16));
+    }
+    for (int depth = 3; depth <= 40; ++depth) {
+        for (const double size : {1.5, 1.0}) {
+            all.push_back(std::ldexp(size, -depth));
+        }
     }
     return all;
 }

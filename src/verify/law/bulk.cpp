@@ -65,23 +65,32 @@ class BulkRule : Rule<N> {
     BulkRule(const Leaf& leaf, Log* log) : Base(leaf, log) {}
 
     const char* verdict() {
-        const Range& range = ranges.at(this->leaf_.range);
-        const auto [M, K, J] = defect();
-        const bool holds =
-            fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
-            within("D/((eps/2) (alpha' - alpha)) in its range", M, fraction<N>(range.least, 1000),
-                   fraction<N>(range.most, 1000)) &&
-            less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K, fraction<N>(range.most_fall, 10),
-                 false);
-        return holds ? nullptr : Base::failed();
+        const I P = Clock<N>(quarter).P(Base::side(0), Q(), 12 * this->leaf_.states->parts);
+        // All eps, in as many parts.
+        constexpr int parts = 4;
+        const I all = Base::between(this->leaf_.states->least_eps, this->leaf_.states->most_eps);
+        for (int i = 0; i < parts; ++i) {
+            const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi);
+            if (!is_bounded(I(all.lo) + (I(all.hi) - all.lo) * share, P)) return Base::failed();
+        }
+        return nullptr;
     }
     const char* window_verdict() { return is_in_window() ? nullptr : Base::failed(); }
 
   private:
-    struct Range {
-        int least, most, most_fall;  ///< of M, in thousandths; of K, in tenths
-    };
-    static constexpr std::array<Range, 3> ranges{{{-334, 0, 21}, {-125, 85, 62}, {-105, 470, 227}}};
+    bool is_bounded(const I& eps, const I& P) {
+        const auto [M, K, J] = defect(eps, P);
+        const I th = Base::side(0), x = square(th), x2 = square(x), x4 = square(x2);
+        const I p = fraction<N>(94, 100) * x - fraction<N>(1035, 1000) * x2 + fraction<N>(2107, 1000) * x4 -
+                    fraction<N>(1, 3);
+        const I slack = fraction<N>(7, 1000) + fraction<N>(11, 10) * I(x4.lo);
+        return fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
+               within("|D/((eps/2) (alpha' - alpha)) - p(th)| <= 0.007 + 1.1 th^8", M, p - slack,
+                      p + slack) &&
+               less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
+                    fraction<N>(most_fall.at(this->leaf_.range), 10), false);
+    }
+    static constexpr std::array<int, 3> most_fall{21, 62, 227};  ///< of K, in tenths
 
     [[nodiscard]] I Q() const {
         return quarter + Base::between(this->leaf_.states->least_Q, this->leaf_.states->most_Q);
@@ -90,10 +99,10 @@ class BulkRule : Rule<N> {
     struct Defect {
         I M, K, J;  ///< J: and Q, and all between
     };
-    /// Every term is a power of eps times what is bounded at eps = 0: these powers are left out.
-    [[nodiscard]] Defect defect() const {
+    /// Every term is a power of eps times what is bounded at eps = 0: these powers are left out. P is that at
+    /// th.
+    [[nodiscard]] Defect defect(const I& eps, const I& P) const {
         const I th = Base::side(0), Q_ = Q();
-        const I eps = Base::between(this->leaf_.states->least_eps, this->leaf_.states->most_eps);
         const auto [sine, cosine] = sin_cos_on(th, quarter);
         const I tangent = sine / cosine, F = Q_ / cosine, U = pi<N>() - F;
         const auto [sin_U, cos_U] = sin_cos_on(U, quarter);
@@ -131,8 +140,8 @@ class BulkRule : Rule<N> {
         const I alpha = th - eps * beta, alpha_last = th + eps * beta_last, way = hull(alpha, alpha_last);
         const I size = up_to_size(hull(A, A_last)) * square(eps);
         const I J = Q_ + size, second = clock.second(way, J);  // at two places
-        const I defect = W_part - clock.P(alpha_last, Q_, 4 * this->leaf_.states->parts) * fall +
-                         clock.by_Q(way, Q_) * betas * A +
+        const I by_Q = clock.by_Q(way, Q_);  // P' as well, so that P at alpha' is P + (alpha' - th) by_Q
+        const I defect = W_part - (P + eps * beta_last * by_Q) * fall + by_Q * betas * A +
                          eps * (second * square(A) - second * square(A_last)) / I(2);
         return {defect / betas, fall / betas, J};
     }

@@ -24,8 +24,7 @@ class ClaimReader : public Reader<Leaf> {
         require_fitting_demand();
         proofs_.add_tallies();
         first_ = proof_.tallies.size();
-        for (const auto rule : {Leaf::slope, Leaf::direct, Leaf::beyond})
-            proof_.tallies.push_back({Leaf::names.at(rule)});
+        for (const auto rule : {Leaf::slope, Leaf::beyond}) proof_.tallies.push_back({Leaf::names.at(rule)});
     }
     [[nodiscard]] Claim& claim() { return claim_; }
 

@@ -28,8 +28,8 @@ inline const States& known_states() {
 }
 
 struct Leaf {
-    enum Rule { step, slope, direct, beyond, bulk, end };
-    static constexpr std::array<std::string_view, 6> names{"", "slope", "direct", "beyond", "bulk", "end"};
+    enum Rule { step, slope, beyond, bulk, end };
+    static constexpr std::array<std::string_view, 5> names{"", "slope", "beyond", "bulk", "end"};
 
     Rule rule = step;
     std::size_t range = 0;  ///< of the bulk: 0, 1, 2

@@ -110,9 +110,7 @@ void check_invariant(const dumbbell_verify::adiabatic::Claim& claim) {
 void check_spelling(const std::string& text) {
     static MemoryFile file;
     const std::string& path = file.holding(text);
-    const auto read = value_of(text, "scene") == "body"  // of which there is no page
-                          ? dumbbell::collisions::read_certificate(path)
-                          : dumbbell::page::read_any_certificate(path);
+    const auto read = dumbbell::page::read_any_certificate(path);
     const auto again = std::visit([](const auto& certificate) { return render(certificate); }, read);
     must(again.text == text, "there is one spelling");
 }

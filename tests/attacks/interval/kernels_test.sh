@@ -1,20 +1,24 @@
 #!/usr/bin/env bash
-# kernels_test.sh PROJECT: proofs/kernels/check refuses the source if one place of it is spoiled.
+# kernels_test.sh PROJECT: proofs/kernels/check refuses the source if one place of it is spoiled. With DUMBBELL_INTERVAL_SCALE in
+# the environment all places are tried, otherwise every third.
 set -uo pipefail
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder"/src/{number,verify/core}
 failures=0
+places=0
 tried=0
 
 # refused FILE OLD NEW: with NEW for OLD (once, at its first place) the proof fails.
 refused() {
     local text
+    places=$((places + 1))
+    [[ -n ${DUMBBELL_INTERVAL_SCALE-} || $((places % 3)) == 1 ]] || return 0
+    tried=$((tried + 1))
     cp "$project"/src/number/{elementary.cpp,sine_kernel.hpp} "$folder/src/number/"
     cp "$project/src/verify/core/interval.hpp" "$folder/src/verify/core/"
     text=$(< "$folder/$1")
-    tried=$((tried + 1))
     if [[ $text != *"$2"* ]]; then
         printf 'not found in %s: %s\n' "$1" "$2"
         failures=$((failures + 1))

@@ -52,6 +52,13 @@ template <class S>
     return S(pow(S(3), S(-7) / 4) / sqrt(pi<S>()));
 }
 
+// c of L57.
+template <class S>
+[[nodiscard]] S clock_constant() {
+    using std::sqrt;
+    return S(2 * sqrt(sqrt(S(3)) * pi<S>()));
+}
+
 template <class S>
 [[nodiscard]] S comparison(const S& s, const S& t) {  // D0(T)
     using std::sqrt;

@@ -17,7 +17,13 @@ namespace {
 
 const Real size = 0.885595129452713911412021948915L;  // C
 const Real c0 = 0.205811589549495595339706567102L;
+const Real zeta = 0.207886224977354566017306725397L;                // |zeta(-1/2)|
 const Real slope_of_log = 5 / (18 * std::sqrt(3.0L) * pi<Real>());  // of eps ln(1/eps), Theorem C
+
+// What is left of delta_N after the logarithm, over eps.
+Real after_logarithm(Real delta, Real eps) {
+    return (delta - c0 * std::sqrt(eps)) / eps + slope_of_log * std::log(1 / eps);
+}
 
 struct OrbitContact {
     Real u, th, alpha, beta, j, t;
@@ -57,7 +63,7 @@ CriticalOrbit orbit_at_critical(std::size_t n) {
 // All that L47, L48, L53, L54 say of one orbit, and the terms of L46.
 struct Seen {
     Real layer = 0, bulk = 0, end = 0, start = 0;
-    Real least_gamma = 9, greatest_gamma = -9, drift = 0, rho = 0;
+    Real least = 9, greatest = -9, drift = 0, rho = 0;
     std::string wrong;  // the first thing that is not so
 
     void need(bool so, const std::string& what) {
@@ -69,9 +75,12 @@ void see_layer_step(const OrbitContact& a, const OrbitContact& b, Real eps, Seen
     const Real U = (a.u + b.u) / 2, d = (a.u - b.u) / 2;
     const Real Q = (pi<Real>() - U) * std::cos(a.th);
     const Real gain = a.t - 1 - b.t;
-    const Real gamma = (1 - gain / comparison(std::sqrt(eps), a.t)) / U;
-    // Rounding of T moves gamma by this much at most.
-    const Real noise = 1e-18L * a.t / (comparison(std::sqrt(eps), a.t) * U);
+    const Real ratio = gain / comparison(std::sqrt(eps), a.t);
+    const Real less = 1 / (std::sqrt(a.t) + std::sqrt(a.t - 1)),
+               y = clock_constant<Real>() / 2 * std::sqrt(eps) / less;
+    const Real excess = (1 - ratio) / y - 5 / (3 * pi<Real>());
+    // Rounding of T moves it by this much at most.
+    const Real noise = 1e-18L * a.t / (comparison(std::sqrt(eps), a.t) * y);
     const Real half = pi<Real>() / 2;
     const Real drift = half - a.j;
     out.layer += gain;
@@ -79,14 +88,16 @@ void see_layer_step(const OrbitContact& a, const OrbitContact& b, Real eps, Seen
     out.need(d / U < 0.2L && a.u < 1.08L, "L48");
     out.need(Q >= a.j && Q > half - 0.002L && Q < half + 0.03L && Q - a.j < 2 * d * d / U, "L53 (a)");
     out.need(drift < 5.3L * eps * eps / std::pow(a.u, 3.0L) && drift > -eps * eps / 4, "L54 (b)");
-    out.need(gamma > -noise && gamma < (U > 0.75L ? 1.11L : 1.3L) + noise, "(C6), (C7)");
+    out.need(
+        excess > -0.31L * y - 0.25L * less * less - noise && excess < 0.24L * y + 0.5L * less * less + noise,
+        "(C6), (C7)");
     const Real unit = 2 * d * eps * eps / std::pow(U, 4.0L);  // a/(2 ehat^2) = (J - J')/unit
     const Real blur = 1e-18L / unit;
     out.need((a.j - b.j) / unit < 15.9L + blur, "(C8)");
     out.drift = std::max(out.drift, drift * std::pow(a.u, 3.0L) / (eps * eps));
     if (noise < 0.01L) {
-        out.least_gamma = std::min(out.least_gamma, gamma);
-        out.greatest_gamma = std::max(out.greatest_gamma, gamma);
+        out.least = std::min(out.least, excess);
+        out.greatest = std::max(out.greatest, excess);
     }
 }
 
@@ -99,12 +110,13 @@ void see_bulk_step(const OrbitContact& a, const OrbitContact& b, Real eps, Seen&
     const Real lambda = (a.j - b.j) / (eps * eps * (b.alpha - a.alpha));
     const Real blur = 1e-17L / std::pow(eps, 3.0L);
     const int range = a.th < 0.6L ? 0 : a.th < 0.7L ? 1 : 2;
-    const Real least[] = {-0.334L, -0.125L, -0.1L}, greatest[] = {0, 0.085L, 0.47L},
-               fall[] = {2.1L, 6.2L, 22.7L};
+    const Real fall[] = {2.1L, 6.2L, 22.7L};
+    const Real x4 = std::pow(a.th, 4.0L);
+    const Real p = -1 / 3.0L + 0.94L * a.th * a.th - 1.035L * x4 + 2.107L * x4 * x4;
     out.bulk += gain;
     out.need(d < 0.00293L && a.th < 0.7944L && Q >= a.j && Q - half < 3e-5L, "L53 (b)");
     out.need(a.j > half - 4.13L * eps * eps && a.j < half + eps * eps / 4, "L54 (a)");
-    out.need(m > least[range] - blur && m < greatest[range] + blur, "(C9)");
+    out.need(std::abs(m - p) < 0.007L + 1.1L * x4 * x4 + blur, "(C9)");
     out.need(lambda < fall[range] + blur, "(C10)");
 }
 
@@ -127,8 +139,8 @@ Seen see(const CriticalOrbit& orbit) {
     out.need(last.u > 4.42L * s && last.u < 0.18L, "L47");
     out.need(Q >= last.j && Q < pi<Real>() / 2 + 0.3L * last.u, "L53 (c)");
     out.end = last.t - 1;
-    out.need((out.end - k0<Real>() * s) / eps > -0.23L && (out.end - k0<Real>() * s) / eps < -0.0885L,
-             "(C11)");
+    out.need(std::abs((out.end - k0<Real>() * s) / eps + 0.1655L) < 0.004L + 0.25L * last.u, "(C11)");
+    out.need(last.u / 2 < 2.34L * s, "Theorem A, the end");
     out.start = orbit.n % 2 == 0 ? 0 : size / (2 * eps) - 0.5L - all.front().t;
     return out;
 }
@@ -164,17 +176,21 @@ TEST_CASE(
         const CriticalOrbit orbit = orbit_at_critical(n);
         const Seen seen = see(orbit);
         const Real eps = orbit.eps, s = std::sqrt(eps);
-        INFO("N " << n << " gamma " << seen.least_gamma << ' ' << seen.greatest_gamma << " drift "
-                  << seen.drift << " rho " << seen.rho << " end " << (seen.end - k0<Real>() * s) / eps
-                  << " bulk " << seen.bulk / eps << " start " << seen.start / eps);
+        INFO("N " << n << " excess " << seen.least << ' ' << seen.greatest << " drift " << seen.drift
+                  << " rho " << seen.rho << " end " << (seen.end - k0<Real>() * s) / eps << " bulk "
+                  << seen.bulk / eps << " start " << seen.start / eps);
         CHECK(seen.wrong == "");
         CHECK(std::abs(orbit.delta - 2 * (seen.layer + seen.bulk + seen.end + seen.start)) < 1e-11L);
         CHECK((seen.start >= -eps * eps / 2 && seen.start <= 0.0590L * eps));
-        CHECK((seen.bulk > -0.1121L * eps && seen.bulk < 0.0275L * eps));
-        CHECK(orbit.delta < c0 * s - 0.16L * eps);
-        CHECK(orbit.delta > c0 * s - (0.126L * std::log(1 / eps) + 0.7L) * eps);
+        if (n % 2 == 1) CHECK((seen.start > (0.0589L - 0.016L * s) * eps && seen.start < 0.0590L * eps));
+        CHECK((seen.bulk > (-0.0828L - 0.04L * s) * eps && seen.bulk < (-0.0610L + 0.04L * s) * eps));
+        const Real layer =
+            seen.layer - k0<Real>() * s * (6 * zeta - 1) + slope_of_log / 2 * eps * std::log(1 / eps);
+        CHECK((layer > (-0.0505L - 0.04L * s) * eps && layer < (0.0291L + 0.043L * s) * eps));
+        CHECK(std::abs(after_logarithm(orbit.delta, eps) + (n % 2 == 0 ? 0.496L : 0.378L)) <
+              0.11L + 2.6L * s);
         // How sharp the conditions are.
-        CHECK((seen.least_gamma > 0.5L && seen.greatest_gamma < 0.75L));
+        CHECK((seen.least > -0.02L && seen.greatest < 0.05L));
         CHECK((seen.drift > 3.8L && seen.rho > 0.16L));
     }
 }
@@ -192,8 +208,8 @@ TEST_CASE("Theorem B: every shipped critical ratio, and the least and the greate
         CHECK((delta > 0 && delta < c0 / root));
         // Theorem A is claimed from N = 903 on; its two bounds hold from N = 300 on here.
         if (step.n < 300) continue;
-        CHECK(delta < c0 / root - 0.16L / (root * root));
-        CHECK(delta > c0 / root - (0.063L * std::log(static_cast<Real>(step.ratio)) + 0.7L) / (root * root));
+        CHECK(std::abs(after_logarithm(delta, 1 / (root * root)) + (step.n % 2 == 0 ? 0.496L : 0.378L)) <
+              0.11L + 2.6L / root);
     }
     CHECK(close(2 - least, 2.1144049L, 1e-7L));  // never more than this, as q falls to 1
     CHECK(close(1 - greatest, 0.9801003L, 1e-7L));

@@ -167,6 +167,12 @@ class Leaves(unittest.TestCase):
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
         self.assertGreater(refused, 100)
 
+    def test_a_slope_in_its_other_forms(self):
+        """Of L4, over a box of a body in which the denominator may vanish: its one form alone is not enough."""
+        box = {"t": (Fraction(5, 4), Fraction(11, 8)), "eta": (Fraction(0), Fraction(1, 16)), "q": (Fraction(3), Fraction(3))}
+        half = Fraction(1, 2)
+        self.assertTrue(certified(lambda: body.Bodies((half, half)).leaf("contact", "count", [1], box)))
+
     def test_no_collision(self):
         certain = 0
         fixed.set_precision(96)

@@ -20,7 +20,6 @@ class Maker {
         for (const int bits : {0, 8, 11, 16, 24, 53}) print("numbers " + std::to_string(bits));
         for (const int bits : {0, 13, 24, 53}) print("constant " + std::to_string(bits));
         for (const int bits : {0, 13, 17, 20, 24}) print("window " + std::to_string(bits));
-        print("direct 0 5/8 3/4 1/1024 1/512");
         for (int i = 0; i < number; ++i) {
             bits_ = std::to_string(std::array{0, 0, 0, 11, 16, 24}[below(6)]);
             if (i % 6 < 4)
@@ -55,7 +54,7 @@ class Maker {
         return " " + lo.get_str() + " " + hi.get_str();
     }
     void layer() {
-        const std::string rule = std::array{"slope", "slope", "direct", "direct", "beyond"}[below(5)];
+        const std::string rule = std::array{"slope", "slope", "slope", "slope", "beyond"}[below(5)];
         const double U = below(2) == 0 && rule != "beyond" ? any_size(1e-4, 0.9) : uniform(0.01, 0.95);
         const double rho = any_size(1e-4, std::min(0.2, (rule == "beyond" ? 2e-2 : 3e-3) / (U * U)));
         print(rule + " " + bits_ + side(U) + side(rho));

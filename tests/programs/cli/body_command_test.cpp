@@ -65,15 +65,18 @@ TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified"
     CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
 }
 
-TEST_CASE("other pictures, pages and join refuse what is about bodies") {
+TEST_CASE("a page shows what is about bodies; other pictures and join refuse it") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
                 .code == 0);
     for (const Words& words : {Words{"plot", "staircase", "symmetric.dbc", "--out", "x.svg"},
-                               Words{"report", "symmetric.dbc", "--out", "x.html"}}) {
+                               Words{"join", "symmetric.dbc", "symmetric.dbc", "--out", "x.dbc"}}) {
         const Outcome result = dumbbell(words, folder.path());
         CHECK(result.code == 2);
         CHECK_THAT(result.err, Contains("is about rigid bodies"));
     }
-    CHECK(folder.names() == Words{"symmetric.dbc"});
+    CHECK(dumbbell({"report", "symmetric.dbc", "--out", "x.html"}, folder.path()).code == 0);
+    CHECK_THAT(contents(folder / "x.html"),
+               Contains("--scene body --ratio 2:5 --rho 1") && Contains("\"symmetric\":true"));
+    CHECK(folder.names() == Words{"symmetric.dbc", "x.html"});
 }

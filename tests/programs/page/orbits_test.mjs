@@ -79,12 +79,12 @@ test("where both masses hit the floor at once no motion is defined, as dumbbell 
 
 test("each shipped witness has in the page the collisions that its certificate claims", () => {
     let witnesses = 0;
-    for (const file of dataOf("stairs", "long", "ten", "full", "wedge", "hybrid")) {
+    for (const file of dataOf("stairs", "long", "ten", "full", "wedge", "hybrid", "coin", "rod")) {
         for (const piece of file.pieces) {
             const { chart, e, eta, forward, backward } = piece.witness;
             const [a, b] = [toNumber(parse(e)), toNumber(parse(eta))];
             const q = middle(piece);
-            const orbit = chart === "wedge" ? wedgeOrbit(b, q) : bridgeOrbit(a, b, q);
+            const orbit = chart === "wedge" ? wedgeOrbit(b, q) : bridgeOrbit(a, b, q, file.rho ? toNumber(parse(file.rho)) : 1 / q);
             const found = orbit.collisions.length;
             assert.ok(found >= 1 + forward + backward && (piece.upper === null || found <= piece.upper), `${file.name} ${piece.lo}: ${found}`);
             ++witnesses;
@@ -95,16 +95,16 @@ test("each shipped witness has in the page the collisions that its certificate c
 });
 
 test("an orbit keeps its energy, stays above the floor, and collides on it", () => {
-    for (const [e, eta, q] of [[0.5, 0.5, 10], [0.5, 0.5, 100], [0.25, 0.5, 1e4], [1.2, 3, 50]]) {
-        const orbit = bridgeOrbit(e, eta, q);
+    for (const [e, eta, q, rho = 1 / q] of [[0.5, 0.5, 10], [0.5, 0.5, 100], [0.25, 0.5, 1e4], [1.2, 3, 50], [0.818, 0.0078, 4, 1], [0.1636, 0.00586, 9.717, 0.10492]]) {
+        const orbit = bridgeOrbit(e, eta, q, rho);
         const energy = ({ vpsi, vy }) => vpsi ** 2 + q * vy ** 2;
         for (const c of orbit.collisions) {
             assert.ok(Math.abs(energy(c.before) - 1) < 1e-9 && Math.abs(energy(c.after) - 1) < 1e-9);
-            assert.ok(Math.abs(c.y - floorAt(c.psi, 1 / q)) < 1e-12);
+            assert.ok(Math.abs(c.y - floorAt(c.psi, rho)) < 1e-12);
         }
         for (let t = orbit.first.until; t < orbit.last.until; t += 0.05) {
             const { psi, y } = stateAt(orbit, t);
-            assert.ok(y > floorAt(psi, 1 / q) - 1e-9);
+            assert.ok(y > floorAt(psi, rho) - 1e-9);
         }
     }
 });
@@ -115,6 +115,17 @@ test("the two extremal orbits have N - 1 or N collisions, with the bridge's cont
         const counts = [top.collisions.length, corner.collisions.length];
         assert.ok(counts.every((count) => count === n || count === n - 1), `${q}: ${counts}`);
         assert.ok(counts.includes(n) || counts[0] === n - 1);
+    }
+});
+
+test("whatever falls hits the floor, however fast it turns, or it is said that doubles do not find where", () => {
+    for (const [phidot, ydot] of [[1e7, -1], [-1e9, -1], [1e9, -1e-3], [1, -1e-5], [1e6, -1e6], [0, -1]]) {
+        const { collisions, complete } = orbitFromStart({ q: 10, phi: 0.6571, phidot, y: 2, ydot });
+        assert.ok(complete && collisions.length >= 1 && collisions.length <= 4, `${phidot} ${ydot}: ${collisions.length}`);
+    }
+    for (const [phidot, ydot] of [[1, -1e-300], [1e9, -1e-9], [1e9, -1e-308]]) {
+        const { collisions, complete } = orbitFromStart({ q: 10, phi: 0.6571, phidot, y: 2, ydot });
+        assert.ok(!complete || collisions.length >= 1, `${phidot} ${ydot}`);
     }
 });
 

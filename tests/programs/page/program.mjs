@@ -39,6 +39,8 @@ export function certificates(place) {
         plain: shipped("full-plain-10.dbc.gz"),
         wedge: shipped("wedge-1-100.dbc"),
         hybrid: shipped("hybrid-1-100.dbc"),
+        coin: shipped("coin.dbc"),
+        rod: shipped("rod-10.dbc.gz"),
         starts,
         incoming,
         adiabatic,

@@ -45,7 +45,7 @@ test("files of every kind say what they prove, with the program's verdict", asyn
     const tab = await open(browser, page);
     const done = await answers(tab, ["q-10.dbc", "stairs-1-1e4.dbc.gz", "coin.dbc", "full-1000.dbc.gz"].map(shipped));
     const texts = await done.allTextContents();
-    assert.match(texts[0], /^Verified here, in your browser, in [\w .]+ sProved: at mass ratio 10 no trajectory hits the floor more than 4 times, and some trajectory hits it 4 times/);
+    assert.match(texts[0], /^Verified here, in your browser, in [\w\s.]+sProved: at mass ratio 10 no trajectory hits the floor more than 4 times, and some trajectory hits it 4 times/);
     assert.match(texts[0], /s VERIFIED scene=dumbbell ratio=10\/1:10\/1 upper=4 lower=4 gaps=0 open=0 sha256=[0-9a-f]{64} heavy|s VERIFIED scene=dumbbell ratio=10\/1:10\/1 upper=4 lower=4 gaps=0 open=0/);
     assert.match(texts[0], /SHA-256 of the file's text: [0-9a-f]{64}/);
     assert.match(texts[1], /known in \d+ of 177 pieces/);
@@ -151,6 +151,23 @@ for (const width of [390, 1280]) {
         await tab.close();
     });
 }
+
+test("the pages are as large as docs/4-verifying.md says: at most 525 kB with gzip, and 700 kB in a page", () => {
+    const said = readFileSync(join(root, "docs", "4-verifying.md"), "utf8");
+    const [whole, packed, added] = /one file of (\d+) kB \((\d+) kB with gzip\)[^]*The verifier adds (\d+) kB/.exec(said).slice(1).map((kB) => 1000 * kB);
+    const near = (bytes, told) => assert.ok(Math.abs(bytes - told) < 3000, `${bytes} bytes, said ${told}`);
+    const bytes = readFileSync(page);
+    const gzipped = gzipSync(bytes, { level: 9 }).length;
+    near(bytes.length, whole);
+    near(gzipped, packed);
+    assert.ok(gzipped <= 525_000, String(gzipped));
+    const sizes = [[], ["--no-verifier"]].map((options) => {
+        dumbbell("report", shipped("q-10.dbc"), ...options, "--out", place("size.html"));
+        return readFileSync(place("size.html")).length;
+    });
+    near(sizes[0] - sizes[1], added);
+    assert.ok(sizes[0] - sizes[1] <= 700_000, String(sizes));
+});
 
 test("a page of dumbbell report verifies what it shows", async () => {
     const out = place("report.html");

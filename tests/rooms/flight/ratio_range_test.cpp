@@ -41,12 +41,12 @@ bool dominates(const Step& low, const Step& high) {
     return !high.stays || (low.stays && low.kappa <= high.kappa && low.c <= high.c);
 }
 
-struct Sample {
+struct RatioSample {
     double c_lo, c_hi, lambda_lo, lambda_hi, r_lo, r_hi;
 };
 
-Sample random_sample(Random& random, bool descending) {
-    Sample s{};
+RatioSample random_ratio_sample(Random& random, bool descending) {
+    RatioSample s{};
     s.r_hi = random_r(random, 1e-4);
     s.r_lo = s.r_hi * (1 - random.scaled(1e-15, 0.6));
     const double most = random.coin() ? 1 : 1 / s.r_hi;  // L10: r_hi c <= 1
@@ -58,12 +58,12 @@ Sample random_sample(Random& random, bool descending) {
     return s;
 }
 
-std::string show(const Sample& s) {
+std::string show(const RatioSample& s) {
     return say("c", s.c_lo, s.c_hi, "lambda", s.lambda_lo, s.lambda_hi, "r", s.r_lo, s.r_hi);
 }
 
 template <class I>
-void check_sample(Random& random, const Sample& s) {
+void check_sample(Random& random, const RatioSample& s) {
     const ScaledRay<I> ray{I(s.c_lo, s.c_hi), I(s.lambda_lo, s.lambda_hi)};
     const RatioRange<I> range{I(s.r_lo), I(s.r_hi)};
     const Ray<I> lowest = lowest_over(ray, range);
@@ -90,14 +90,14 @@ void check_sample(Random& random, const Sample& s) {
 TEST_CASE("Ascending rays are bounded over the ratio by their own ends") {
     Random random(161);
     for (int i = 0; i < 3'000; ++i) {
-        check_sample<Interval>(random, random_sample(random, false));
+        check_sample<Interval>(random, random_ratio_sample(random, false));
     }
 }
 
 TEST_CASE("Descending rays are bounded over the ratio by the state after their first collision") {
     Random random(162);
     for (int i = 0; i < 8'000; ++i) {
-        check_sample<Interval>(random, random_sample(random, true));
+        check_sample<Interval>(random, random_ratio_sample(random, true));
     }
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("Bounds over the ratio hold in multiple precision too") {
     const PrecisionScope scope(128);
     Random random(163);
     for (int i = 0; i < 800; ++i) {
-        check_sample<BigInterval>(random, random_sample(random, random.coin()));
+        check_sample<BigInterval>(random, random_ratio_sample(random, random.coin()));
     }
 }
 
@@ -113,14 +113,14 @@ TEST_CASE("Bounds over the ratio hold with 8 to 40 bits, where rounding to the w
     Random random(165);
     for (int i = 0; i < 2'000; ++i) {
         const PrecisionScope scope(8 + random.below(33));
-        check_sample<BigInterval>(random, random_sample(random, random.coin()));
+        check_sample<BigInterval>(random, random_ratio_sample(random, random.coin()));
     }
 }
 
 TEST_CASE("Counts of the lowest and of the highest ray bound the counts at every ratio") {
     Random random(164);
     for (int i = 0; i < 1'000; ++i) {
-        const Sample s = random_sample(random, random.coin());
+        const RatioSample s = random_ratio_sample(random, random.coin());
         const ScaledRay<Interval> ray{Interval(s.c_lo, s.c_hi), Interval(s.lambda_lo, s.lambda_hi)};
         const RatioRange<Interval> range{Interval(s.r_lo), Interval(s.r_hi)};
         const auto lowest = lowest_over(ray, range);

@@ -77,8 +77,8 @@ TEST_CASE("critical ratios by the law contain those of the orbits, and are as na
         REQUIRE(by_orbit);
         CHECK(exact_lo(by_law) <= by_orbit->q_lo);
         CHECK(by_orbit->q_hi <= exact_hi(by_law));
-        // delta is known to (0.063 ln q + 0.54) q^(-1/2), and q = (place/C)^2.
+        // delta is known to (0.22 + 5.2 q^(-1/4)) q^(-1/2), and q = (place/C)^2.
         const double q = approximate(by_law);
-        CHECK(width(by_law) <= 2 / 0.8855 * (0.063 * std::log(q) + 0.55));
+        CHECK(width(by_law) <= 2 / 0.8855 * (0.221 + 5.2 / std::sqrt(std::sqrt(q))));
     }
 }

@@ -23,17 +23,20 @@ TEST_CASE("sinc is enclosed, narrowly") {
 
 TEST_CASE("the slope of a quantity is what it changes by per unit") {
     const Interval U(0.1, 0.3);
-    const Slope u{U, Interval(0), Interval(1)};
-    const Slope x = sqrt(1 + sqr(u)) / (2 - u) - sinc_of<Slope>(Interval(2), U) * cos_of<Slope>(U);
+    const Slope u = line(U, Interval(0), Interval(1));
+    const Slope x = sqrt(1 + sqr(u)) / (2 - u) - sinc_of(Interval(2), U) * cos_of(U);
     const auto value = [](const Real& at) {
         return Real(sqrt(1 + at * at) / (2 - at) -
                     (at == 0 ? Real(1) : Real(sin(2 * at) / (2 * at))) * cos(at));
     };
     CHECK(contains(x.at0, value(0)));
+    CHECK(contains(x.first, Real(1) / 4));
     for (const double at : {0.1, 0.15, 0.2, 0.3}) {
         CAPTURE(at);
         CHECK(contains(x.range, value(at)));
         CHECK(contains(x.slope, (value(at) - value(0)) / Real(at)));
+        CHECK(contains(x.second,
+                       (value(at) - value(0) - Real(at) / 4) / (Real(at) * Real(at))));  // x'(0) = 1/4
     }
 }
 

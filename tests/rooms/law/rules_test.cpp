@@ -18,7 +18,7 @@ Interval around(double x, double radius) { return {std::max(0.0, x - radius), x 
 
 }  // namespace
 
-TEST_CASE("both forms of the layer's rule contain steps evaluated directly") {
+TEST_CASE("the layer's rule contains steps evaluated directly") {
     std::mt19937_64 random(20);
     std::uniform_real_distribution<double> share(0, 1);
     int seen = 0;
@@ -31,37 +31,39 @@ TEST_CASE("both forms of the layer's rule contain steps evaluated directly") {
         ++seen;
         const Real T = tau(step.u, step.j) / (2 * step.eps);
         const Real D = T - 1 - tau(step.v, step.j_v) / (2 * step.eps);
-        const Real gamma = (1 - D / comparison(Real(sqrt(step.eps)), T)) / U;
+        const Real s = sqrt(step.eps),
+                   y = sqrt(sqrt(Real(3)) * dumbbell_oracle::pi<Real>()) * s * (sqrt(T) + sqrt(T - 1));
+        const Real excess = (1 - D / comparison(s, T)) / y - 5 / (3 * dumbbell_oracle::pi<Real>());
         const Real d = Real(rho) * U, ehat = step.eps / (d * U);
         const Real drift = Real(U) * U * (step.j - step.j_v) / (d * d * d) / (2 * ehat * ehat);
-        CAPTURE(U, rho, gamma, drift);
+        CAPTURE(U, rho, excess, drift);
         for (const double radius : {0.0, 1e-5}) {
             const LayerBox box{around(U, radius * U), around(rho, radius * rho)};
-            for (const LayerForm form : {LayerForm::slope, LayerForm::direct}) {
-                const LayerBounds found = layer_bounds(box, form);
-                CHECK(contains(found.gamma, gamma));
-                CHECK(contains(found.drift, drift));
-                CHECK(contains(found.at_zero, 1));
-            }
+            const LayerBounds found = layer_bounds(box);
+            CHECK(contains(found.excess, excess));
+            CHECK(contains(found.drift, drift));
+            CHECK(contains(found.at_zero, 1));
+            CHECK(contains(found.first, 0));
+            CHECK((radius > 0 || width(found.excess) < 0.03));
             CHECK_FALSE(certainly_beyond(box));
         }
     }
 }
 
-TEST_CASE("the layer's rule is sharp: gamma is 5/(3 pi) at U = 0 and rho = 0") {
-    const LayerBounds found = layer_bounds({Interval(0, 1e-9), Interval(0, 1e-9)}, LayerForm::slope);
-    CHECK(contains(found.gamma, 5 / (3 * dumbbell_oracle::pi<Real>())));
-    CHECK(width(found.gamma) < 0.5);
-    CHECK(std::abs(approximate(found.gamma) - 0.5305) < 0.01);
+TEST_CASE("the layer's rule is sharp at U = 0 and rho = 0") {
+    const LayerBounds found = layer_bounds({Interval(0, 1e-9), Interval(0, 1e-9)});
+    CHECK(contains(found.excess, 0));
+    CHECK(width(found.excess) < 1e-8);
+    CHECK(std::abs(approximate(found.at_zero) - 1) < 1e-9);
+    CHECK(width(found.at_zero) < 1e-9);
 }
 
-TEST_CASE("no form of the layer's rule closes a box in which it fails, or does not apply") {
-    CHECK_FALSE(closes({Interval(0, 0.1), Interval(0, 0.01)}, LayerForm::direct));   // U = 0
-    CHECK_FALSE(closes({Interval(0, 0.9), Interval(0, 0.2)}, LayerForm::slope));     // too wide
-    CHECK_FALSE(closes({Interval(0.5, 0.6), Interval(0, 0.2)}, LayerForm::direct));  // too wide
+TEST_CASE("the layer's rule closes no box in which it fails, or does not apply") {
+    CHECK_FALSE(closes({Interval(0, 0.9), Interval(0, 0.2)}));  // too wide
+    CHECK_FALSE(closes({Interval(0.5, 0.6), Interval(0, 0.2)}));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_FALSE(closes({Interval(nan), Interval(0.1)}, LayerForm::slope));
-    CHECK_FALSE(closes({Interval(0.1), Interval(nan)}, LayerForm::direct));
+    CHECK_FALSE(closes({Interval(nan), Interval(0.1)}));
+    CHECK_FALSE(closes({Interval(0.1), Interval(nan)}));
     CHECK_FALSE(certainly_beyond({Interval(nan), Interval(nan)}));
     CHECK(certainly_beyond({Interval(0.5), Interval(0.1)}));
 }
@@ -85,7 +87,10 @@ TEST_CASE("the bulk's rule contains steps evaluated directly") {
         const Real way = step.alpha_v() - step.alpha();
         CAPTURE(th, eps);
         for (const double radius : {0.0, 1e-4}) {
-            const BulkBounds found = bulk_bounds(around(th, radius));
+            const double size = static_cast<double>(eps);
+            const Interval all =
+                radius > 0 ? Interval(0, 0.001) : Interval(size * 0.999, std::min(0.001, size * 1.001));
+            const BulkBounds found = bulk_bounds(around(th, radius), all, P_at(around(th, radius)));
             CHECK(contains(found.defect, 2 * D / (eps * way)));
             CHECK(contains(found.fall, (step.j - step.j_v) / (eps * eps * way)));
         }

@@ -2,7 +2,9 @@
 
 #include <random>
 
+#include "attacks/oracle/simulate.hpp"
 #include "starts/certificate.hpp"
+#include "starts/trace.hpp"
 
 namespace dumbbell_trace_test {
 
@@ -42,6 +44,17 @@ inline Sides random_sides(std::mt19937_64& engine, double q, double size) {
     return {phi, phi + width(), phidot, phidot + width(),
             y,   y + width(),   ydot,   ydot + std::min(width(), -ydot / 2),
             q};
+}
+
+inline dumbbell_oracle::State<long double> random_start(std::mt19937_64& engine, const Sides& s) {
+    return {uniform(engine, s.phi_lo, s.phi_hi), uniform(engine, s.phidot_lo, s.phidot_hi),
+            uniform(engine, s.y_lo, s.y_hi), uniform(engine, s.ydot_lo, s.ydot_hi)};
+}
+
+/// Is x, of a simulation with a relative error of up to `error`, what the enclosure is of?
+inline bool holds(const dumbbell::starts::TracedValue& value, long double x, long double error = 1e-12L) {
+    const long double tolerance = error * (1 + std::abs(x));
+    return value.outward.lo() - tolerance <= x && x <= value.outward.hi() + tolerance;
 }
 
 }  // namespace dumbbell_trace_test

@@ -18,19 +18,11 @@ using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Mass;
 using dumbbell_oracle::Real;
 using dumbbell_oracle::State;
+using dumbbell_trace_test::holds;
 using dumbbell_trace_test::random_sides;
+using dumbbell_trace_test::random_start;
 using dumbbell_trace_test::Sides;
 using dumbbell_trace_test::uniform;
-
-State<Real> random_point(std::mt19937_64& engine, const Sides& s) {
-    return {uniform(engine, s.phi_lo, s.phi_hi), uniform(engine, s.phidot_lo, s.phidot_hi),
-            uniform(engine, s.y_lo, s.y_hi), uniform(engine, s.ydot_lo, s.ydot_hi)};
-}
-
-bool holds(const TracedValue& value, Real x) {
-    const Real tolerance = 1e-12L * (1 + std::abs(x));  // of the simulation
-    return value.outward.lo() - tolerance <= x && x <= value.outward.hi() + tolerance;
-}
 
 template <class S>
 bool holds(const Collision<TracedValue>& traced, const dumbbell_oracle::Collision<S>& simulated) {
@@ -79,7 +71,7 @@ TEST_CASE("10,000 random boxes contain the simulated orbits of their points") {
         const auto traced = dumbbell::starts::trace(sides.box(), 0);
         const Dumbbell<Real> body(q);
         for (int j = 0; j < 10; ++j) {
-            const State<Real> start = random_point(engine, sides);
+            const State<Real> start = random_start(engine, sides);
             const auto run = dumbbell_oracle::simulate(body, start);
             if (run.care.doubtful()) {
                 continue;

@@ -135,10 +135,10 @@ TEST_CASE("the maximum over all trajectories is known beyond the counts that a l
     for (const auto& [ratio, n] : std::vector<std::pair<const char*, long>>{
              {"10", 4}, {"1e12", 885597}, {"1e14", 8855953}, {"1e20", 8855951296}}) {
         CAPTURE(ratio);
-        CHECK(most_of_all(parse_rational(ratio)) == n);
+        CHECK(most_of_all(incoming_box(parse_rational(ratio))) == n);
     }
-    CHECK_FALSE(judge_falling(parse_rational("1e14")).most);
-    CHECK_FALSE(most_of_all(parse_rational("1e40")));  // more than doubles count
+    CHECK_FALSE(judge_falling(incoming_box(parse_rational("1e14"))).most);
+    CHECK_FALSE(most_of_all(incoming_box(parse_rational("1e40"))));  // more than doubles count
 }
 
 TEST_CASE("no leaf says more than the maximum over all trajectories, and less than that is refused") {
@@ -156,7 +156,7 @@ TEST_CASE("no leaf says more than the maximum over all trajectories, and less th
                                                                         {"1e9", 28006}}) {
         INFO("q = " << q);
         const Rational ratio = parse_rational(q);
-        CHECK(judge_falling(ratio).most == n);
+        CHECK(judge_falling(incoming_box(ratio)).most == n);
         const auto root = [&](long most) {
             const std::string bounds = "between 1 " + std::to_string(most) + "\n";
             return make::closed_initial(

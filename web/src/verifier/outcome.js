@@ -13,7 +13,7 @@ const spoken = {
     UNREADABLE: "Not readable",
 };
 
-const seconds = (time) => (time < 0.095 ? "less than 0.1 s" : `${time < 9.95 ? time.toFixed(1) : Math.round(time)} s`);
+const seconds = (time) => (time < 0.095 ? "less than 0.1\u00a0s" : `${time < 9.95 ? time.toFixed(1) : Math.round(time)}\u00a0s`);
 
 function progressText({ seconds: work, read, pieces }) {
     const of = pieces > 1 ? `${read.toLocaleString("en")} of ${pieces.toLocaleString("en")} pieces, ` : "";

@@ -1,6 +1,5 @@
 // verify.html: choose or drop certificates, state a claim, and see what is proved.
 import { h, labelled, select } from "../dom.js";
-import { openForPrint } from "../print.js";
 import { setTheme, watchTheme } from "../theme.js";
 import { verified } from "./outcome.js";
 import { licences } from "./verification.js";
@@ -27,7 +26,7 @@ const claim = h(
     "p",
     { class: "controls" },
     labelled("Of", scene),
-    field("ratio", "at mass ratio, or from LO:HI,", "10, 1:100, 4/3", 12),
+    field("ratio", "at mass ratio (or LO:HI)", "10, 1:100, 4/3", 12),
     rho,
     labelled("the greatest number of collisions is", bound),
     field("count", "N =", "4", 8),
@@ -107,5 +106,4 @@ document.getElementById("page").replaceChildren(
 showClaim();
 watchTheme();
 watchDrops();
-openForPrint();
 document.documentElement.dataset.drawn = "1";

@@ -92,7 +92,7 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
                                          {"cover layer\nsplit U", "cover layer\noutside", "opcode"},
                                          {"cover layer\nsplit U", "cover layer\nslope 1", "syntax"},
                                          {"cover layer\nsplit U", "cover layer\nslope", "slope"},
-                                         {"cover layer\nsplit U", "cover layer\ndirect", "direct"},
+                                         {"cover layer\nsplit U", "cover layer\ndirect", "opcode"},
                                          {"cover layer\nsplit U", "cover layer\nbeyond", "beyond"}}) {
         INFO(from << " -> " << to);
         CHECK(law_mutant(from, to) == code);

@@ -1,4 +1,4 @@
-// Factors of a quantity with a slope: their type says whether they depend on U.
+// Quantities with what they do near U = 0: values, slopes and what is left after the slope at 0.
 #include "verify/law/slope.hpp"
 
 #include "catch.hpp"
@@ -6,30 +6,31 @@
 
 using namespace dumbbell_verify;
 using dumbbell_verify::law::Along;
-using dumbbell_verify::law::Dependent;
-using dumbbell_verify::law::Slope;
 
-// What depends on U does not turn into a number that does not.
-static_assert(!std::is_convertible_v<Dependent<double>, Interval<double>>);
-static_assert(!std::is_convertible_v<decltype(Along<double, Slope>::U), Interval<double>>);
-
-TEMPLATE_TEST_CASE("law: what depends on U is a factor of what is 0 at U = 0, and of nothing else", "",
-                   double, Big) {
+TEMPLATE_TEST_CASE("law: the operations on quantities with slopes enclose them", "", double, Big) {
     using I = Interval<TestType>;
     Big::precision = 53;
-    const Along<TestType, Slope> along{I(I(1).lo, I(2).hi)};
-    // Exact in MPFR; a double's end is moved to its neighbour by each operation.
-    const double pad = std::is_same_v<TestType, Big> ? 0 : 0x1p-47;
-    const auto is = [&](const I& x, int lo, int hi) {
-        const double below = lo - to_double(down, x.lo), above = to_double(up, x.hi) - hi;
-        return below >= 0 && below <= pad && above >= 0 && above <= pad;
+    const auto holds = [](const I& x, double value) {
+        return to_double(down, x.lo) <= value + 1e-14 && value - 1e-14 <= to_double(up, x.hi);
     };
-    const auto U = along.line(I(0), I(1)), square = U * along.U;  // on [1, 2]
-    CHECK((is(square.zero, 0, 0) && is(square.rise, 1, 2) && is(square.whole, 1, 4)));
-    const auto next = along.line(I(1), I(1)), unknown = next * along.U;
-    CHECK(is(unknown.whole, 2, 6));
-    for (const I& x : {unknown.zero, unknown.rise})
-        CHECK((to_double(down, x.lo) == -HUGE_VAL && to_double(up, x.hi) == HUGE_VAL));
-    const auto fixed = next * I(3);
-    CHECK((is(fixed.zero, 3, 3) && is(fixed.rise, 3, 3) && is(fixed.whole, 6, 9)));
+    const auto is_narrow = [](const I& x) { return to_double(up, x.hi) - to_double(down, x.lo) < 1e-12; };
+    for (const int quarters : {1, 2, 3}) {
+        const double U = quarters / 4.0;
+        const Along<TestType> along{I(quarters) / I(4)};
+        const auto x = along.line(I(2), I(3)), y = along.sinc_of(I(2)), z = along.cos_of(I(1));
+        const auto all = square_root(square(x) + y) / (x - z) * (I(1) / x) + cube(z) * I(2);
+        const auto value = [](double u) {
+            const double a = 2 + 3 * u, b = u == 0 ? 1 : std::sin(2 * u) / (2 * u), c = std::cos(u);
+            return std::sqrt(a * a + b) / (a - c) / a + 2 * c * c * c;
+        };
+        // The derivative of sqrt(a^2 + 1)/((a - 1) a) at a = 2 times 3: b and c have none at 0.
+        const double root = std::sqrt(5), first = 3 * (2 / root / 2 - root * 3 / 4);
+        CHECK(holds(all.whole, value(U)));
+        CHECK(holds(all.zero, value(0)));
+        CHECK(holds(all.first, first));
+        CHECK(holds(all.rise, (value(U) - value(0)) / U));
+        CHECK(holds(all.bend, ((value(U) - value(0)) / U - first) / U));
+        for (const I& part : {all.whole, all.zero, all.first, all.rise, all.bend}) CHECK(is_narrow(part));
+        CHECK(holds(along.values(all), value(U)));
+    }
 }

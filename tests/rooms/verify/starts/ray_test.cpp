@@ -39,7 +39,7 @@ std::pair<LongDouble, LongDouble> reflected(LongDouble spin, LongDouble climb, L
     return {spin + factor * t, climb - factor * r};
 }
 /// The least root of sin x = c + k x in (0, pi], or none; c > 0.
-std::optional<LongDouble> contact(LongDouble c, LongDouble k) {
+std::optional<LongDouble> first_contact(LongDouble c, LongDouble k) {
     const auto gap = [&](LongDouble x) { return std::sin(x) - c - k * x; };
     LongDouble lo = 0, hi = k >= 1 ? 0 : k <= -1 ? pi_long : std::acos(k);  // the gap is greatest at hi
     if (gap(hi) < 0) return std::nullopt;
@@ -128,9 +128,9 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
         for (int j = 0; j < 6; ++j) {
             const LongDouble a = in(height), k = in(slope), q = in(ratio);
             INFO("height " << a << " slope " << k << " r " << q);
-            const auto x = !from_light ? contact(a, k)
-                           : passes    ? contact(a + k * pi_long, k)
-                                       : contact(a / q, k / q);
+            const auto x = !from_light ? first_contact(a, k)
+                           : passes    ? first_contact(a + k * pi_long, k)
+                                       : first_contact(a / q, k / q);
             REQUIRE(x);
             const LongDouble wall = passes ? std::cos(*x) : q * std::cos(*x);
             const auto [spin, climb] = reflected(1, k, wall, q);
@@ -183,7 +183,7 @@ TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wr
                              c = to_double(down, corner & 1 ? height.hi : height.lo),
                              kappa = to_double(down, corner & 2 ? slope.hi : slope.lo);
             INFO("height " << c << " slope " << kappa << " r " << q << " bits " << Big::precision);
-            const auto x = contact(c / q, kappa / q);
+            const auto x = first_contact(c / q, kappa / q);
             REQUIRE(x);
             const auto [spin, climb] = reflected(1, kappa, q * std::cos(*x), q);
             const LongDouble out = climb / std::abs(spin),

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+
+#include "flight/certain_count.hpp"
+#include "flight/corner.hpp"
+#include "starts/later_count.hpp"
+
+/// Bounds of the number of collisions of bodies with mass between their contacts, as long as no corner is
+/// met: lemmas L71, L72, L74, L77.
+namespace dumbbell::starts {
+
+/// No motion of the body has more collisions (L72).
+[[nodiscard]] inline std::optional<long> most_collisions_of_body(const Rational& q, const Rational& rho) {
+    constexpr long most_in_corner = 10'000;
+    const long turns = flight::corner_count(1, q, most_in_corner);
+    return turns > most_in_corner ? std::nullopt : std::optional(rho == 1 ? turns : 2 * turns + 1);
+}
+
+/// The later collisions of a box of flights inward from a contact of `left` at the height yhat: at most those
+/// that plain intervals cannot exclude, and at least those that are certain.
+template <class I>
+[[nodiscard]] LaterCount body_collisions_behind(const Outbound<I>& d, const I& yhat,
+                                                const flight::Body<I>& body, Mass left) {
+    constexpr long cap = 1000, most_steps = 2000;
+    const Interrupted too_long = [steps = 0L]() mutable { return ++steps > most_steps; };
+    const I kappa = flight::detail::in_play(d.slope);
+    long least = 0, most = 0;
+    if (left == Mass::heavy) {
+        least = certain_count(flight::PlainRay<I>{d.height, d.slope}, body, cap);
+        most = plain_count(flight::PlainRay<I>{d.height, kappa}, body, cap, too_long);
+    } else {
+        const I x = max(I(0), min(half_pi<I>(), d.run)), sine = max(I(0), min(I(1), yhat));
+        least = certain_later_collisions(flight::PlainDeparture<I>{x, sine, d.slope}, body, cap);
+        most = plain_later_collisions(flight::PlainDeparture<I>{x, sine, kappa}, body, cap, too_long);
+    }
+    return {least, most > cap ? std::nullopt : std::optional(most)};
+}
+
+/// The same of states that leave a contact of `left`.
+template <class I>
+[[nodiscard]] LaterCount body_collisions_behind(const State<I>& s, Mass left) {
+    bool leaves = certainly_too_steep(s);
+    const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
+    return leaves ? LaterCount{0, 0}
+           : d    ? body_collisions_behind(*d, s.yhat, body_of(s), left)
+                  : LaterCount{};
+}
+
+}  // namespace dumbbell::starts
