@@ -15,6 +15,7 @@
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
+#include "pictures/body_map.hpp"
 #include "pictures/palette.hpp"
 
 namespace dumbbell::page {
@@ -93,6 +94,18 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
         file.content);
 }
 
+/// The plane of all rigid bodies, with those that the files are about; nothing if there are none.
+std::string body_map(const std::vector<ReportedFile>& files) {
+    std::vector<collisions::Certificate> bodies;
+    for (const ReportedFile& file : files) {
+        const auto* certificate = std::get_if<collisions::Certificate>(&file.content);
+        if (certificate != nullptr && certificate->heights) {
+            bodies.push_back(*certificate);
+        }
+    }
+    return bodies.empty() ? "" : pictures::body_map_svg(bodies);
+}
+
 }  // namespace
 
 void require_few_pieces(const std::vector<std::string>& paths) {
@@ -131,6 +144,7 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"growth_constant", growth_digits()},
                          {"colours", colours_json()},
                          {"boxes", Json::object({{"total", budget.total}, {"most", budget.most}})},
+                         {"bodies", body_map(files)},
                          {"files", shown}});
 }
 

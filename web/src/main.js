@@ -46,6 +46,8 @@ const own = new OwnStart(firstStart(data.files));
 document.title = `dumbbell report: ${data.files.length > 1 ? `${data.files.length} files` : data.files[0].name}`;
 document.getElementById("page").replaceChildren(
     header(data),
+    data.bodies && h("figure", { class: "wide" }, h("img", { src: `data:image/svg+xml,${encodeURIComponent(data.bodies)}`, alt: "The bodies of the files in the plane of rho and Q, coloured by their greatest number of collisions", style: "max-width: 100%" }),
+        h("figcaption", {}, "What the files claim, among all rigid bodies that touch the floor with two points, by \u03c1 = d2/d1 and Q = (d1/k)\u00b2: the contacts are at the distances d1 \u2265 d2 from the centre of mass, and k is the radius of gyration. Massless dumbbells are on the edge Q\u03c1 = 1.")),
     ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own, i === 0).filter(Boolean))),
     own.element,
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`, hasVerifier() ? ` ${licences}` : ""),

@@ -65,7 +65,7 @@ TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified"
     CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
 }
 
-TEST_CASE("a page shows what is about bodies; other pictures and join refuse it") {
+TEST_CASE("a page shows what is about bodies, and other pictures and join refuse it") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
                 .code == 0);

@@ -208,6 +208,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
                     falling({"--phi", "pi/6", "--phidot", "0"}),
                     falling(part),
                     {"trace", "--list", "list", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
+                    {"trace", "--coin", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
                     {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
                    folder));
 }
