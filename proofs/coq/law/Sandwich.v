@@ -77,19 +77,23 @@ Lemma at_zero : P O = 0 /\ ln (INR 1) = 0 /\ sqrt (INR 1) = 1 /\ sum_n cube 0 = 
 Proof.
   unfold P. rewrite sum_O. unfold cube. simpl. rewrite Rinv_1, ln_1, sqrt_1, sqrt_0. repeat split; ring.
 Qed.
+(** What both inductions say of a step: its defect, by `bound`, and what is beside it, as `beside` has it, times what it counts. *)
+Ltac one_step j Hj bound :=
+  rewrite (Hstep j Hj), sum_Sn, (S_INR j); change plus with Rplus; assert (Bound := bound); cbv zeta in Bound;
+  destruct (beside j Hj) as [A1 [A2 [A3 [A4 A5]]]]; set (d := Delta j) in *; set (t := P (S j) - P j) in *;
+  assert (ZH : 0 <= z * h) by (now apply Rmult_le_pos); assert (ZG : 0 <= z * h * g) by (now apply Rmult_le_pos);
+  assert (ZZ : 0 <= z * h^2) by (apply Rmult_le_pos; [exact Hz | apply pow2_ge_0]);
+  assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)); assert (M4 := Rmult_le_compat_l _ _ _ ZH A5);
+  replace (P (S j)) with (P j + t) by (unfold t; ring).
 Theorem logarithm_above j : (j <= m)%nat -> T j - (INR j + 1) - e <= z * (sum_n cube j - 1) -
   z * h * g * (ln (INR (S j)) / 4 - (0.0038 + x / 4) * P j) + 0.31 * (z * h^2) * (sqrt (INR (S j)) - 1) +
   z * h / 64 * P j.
 Proof.
   destruct at_zero as [Z1 [Z2 [Z3 Z4]]].
   induction j as [|j IH]; intros Hj; [rewrite Hend, Z1, Z2, Z3, Z4; simpl; lra|]. specialize (IH ltac:(lia)).
-  rewrite (Hstep j Hj), sum_Sn, (S_INR j). change plus with Rplus. assert (U := HU j Hj). cbv zeta in U.
-  destruct (beside j Hj) as [A1 [A2 [A3 [A4 A5]]]]. set (d := Delta j) in *. set (t := P (S j) - P j) in *.
-  assert (ZH : 0 <= z * h) by (now apply Rmult_le_pos). assert (ZG : 0 <= z * h * g) by (now apply Rmult_le_pos).
-  assert (ZZ : 0 <= z * h^2) by (apply Rmult_le_pos; [exact Hz | apply pow2_ge_0]).
+  one_step j Hj (HU j Hj).
   assert (M1 := Rmult_le_compat_l z _ _ Hz (proj2 A3)). assert (M2 := Rmult_le_compat_l _ _ _ ZG (proj1 A4)).
-  assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)). assert (M4 := Rmult_le_compat_l _ _ _ ZH A5).
-  replace (P (S j)) with (P j + t) by (unfold t; ring). lra.
+  lra.
 Qed.
 Theorem logarithm_below j : (j <= m)%nat -> z * (sum_n cube j - 1) - 0.156 * (z * x) * P j -
   z * h * g * (ln (INR (S j)) / 4) - 0.24 * (z * h^2) * (sqrt (INR (S j)) - 1) - z * h / 32 * P j <=
@@ -97,12 +101,8 @@ Theorem logarithm_below j : (j <= m)%nat -> z * (sum_n cube j - 1) - 0.156 * (z 
 Proof.
   destruct at_zero as [Z1 [Z2 [Z3 Z4]]].
   induction j as [|j IH]; intros Hj; [rewrite Hend, Z1, Z2, Z3, Z4; simpl; lra|]. specialize (IH ltac:(lia)).
-  rewrite (Hstep j Hj), sum_Sn, (S_INR j). change plus with Rplus. assert (L := HL j Hj). cbv zeta in L.
-  destruct (beside j Hj) as [A1 [A2 [A3 [A4 A5]]]]. set (d := Delta j) in *. set (t := P (S j) - P j) in *.
-  assert (ZH : 0 <= z * h) by (now apply Rmult_le_pos). assert (ZG : 0 <= z * h * g) by (now apply Rmult_le_pos).
-  assert (ZZ : 0 <= z * h^2) by (apply Rmult_le_pos; [exact Hz | apply pow2_ge_0]).
+  one_step j Hj (HL j Hj).
   assert (M1 := Rmult_le_compat_l z _ _ Hz (proj1 A3)). assert (M2 := Rmult_le_compat_l _ _ _ ZG (proj2 A4)).
-  assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)). assert (M4 := Rmult_le_compat_l _ _ _ ZH A5).
-  replace (P (S j)) with (P j + t) by (unfold t; ring). lra.
+  lra.
 Qed.
 End Sandwich.
