@@ -162,6 +162,12 @@ std::vector<Piece> PieceStore::beginning() const {
     std::sort(kept.begin(), kept.end(), [](const Piece& a, const Piece& b) {
         return a.q_lo < b.q_lo || (a.q_lo == b.q_lo && a.q_hi < b.q_hi);
     });
+    // Where a step is known exactly, at 1 and in wedges at 3, a plan may begin with a piece for that ratio
+    // alone: the next piece begins there too, and does not show that it is missing.
+    const bool may_begin_with_one_ratio = claim_.q_lo == 1 || claim_.q_lo == 3;
+    if (may_begin_with_one_ratio && !kept.empty() && kept.front().q_lo < kept.front().q_hi) {
+        return {};
+    }
     Rational reached = claim_.q_lo;
     const auto end = std::find_if(kept.begin(), kept.end(), [&](const Piece& piece) {
         return piece.q_lo != std::exchange(reached, piece.q_hi);

@@ -225,8 +225,10 @@ TEST_CASE("the beginning is what tiles the claim from its lower end, as far as b
           std::tuple(8, 9, 5, 4)}) {
         store.keep(dumbbell_test::piece(lo, hi, upper, lower));
     }
+    CHECK(store.beginning().empty());  // the piece for 1 alone is missing
+    store.keep(dumbbell_test::piece(1, 1, 2, 2));
     const auto beginning = store.beginning();
-    REQUIRE(beginning.size() == 3);
+    REQUIRE(beginning.size() == 4);
     CHECK(beginning.back().q_lo == 5);
     CHECK(beginning.back().q_hi == 6);
 }
