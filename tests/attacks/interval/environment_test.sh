@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # environment_test.sh DUMBBELL VERIFIER CERTIFICATES FORCE FAST_MATH: both programs are right where something else in the
 # process spoils the arithmetic, or no more threads may start. FORCE and FAST_MATH are libraries to preload (environment/).
+# With DUMBBELL_INTERVAL_SCALE in the environment every setting of a register is tried, otherwise the one of its kind that
+# changes most.
 set -uo pipefail
 dumbbell=$1 verifier=$2 certificates=$3 force=$4 fast_math=$5
 folder=$(mktemp -d)
@@ -71,17 +73,19 @@ for word in "${words[@]}"; do
     usual[$word]=$output
 done
 
+sse=(8040 6000) x87=(c00) traps=(3d)
+[[ -z ${DUMBBELL_INTERVAL_SCALE-} ]] || sse+=(2000 4000) x87+=(400) traps+=(1)
 in_main=(LD_PRELOAD="$force" DUMBBELL_FORCE_IN=main) in_threads=(LD_PRELOAD="$force" DUMBBELL_FORCE_IN=threads)
-for bits in 8040 2000 4000 6000; do
+for bits in "${sse[@]}"; do
     same "MXCSR $bits" "${in_main[@]}" DUMBBELL_FORCE_SSE=$bits
     same "MXCSR $bits in threads" "${in_threads[@]}" DUMBBELL_FORCE_SSE=$bits
 done
 same 'a library built with -ffast-math' LD_PRELOAD="$fast_math"
-for bits in 400 c00; do
+for bits in "${x87[@]}"; do
     same "x87 $bits" "${in_main[@]}" DUMBBELL_FORCE_X87=$bits
     same "x87 $bits in threads" "${in_threads[@]}" DUMBBELL_FORCE_X87=$bits
 done
-for bits in 1 3d; do
+for bits in "${traps[@]}"; do
     same "traps $bits" "${in_main[@]}" DUMBBELL_FORCE_TRAPS=$bits
     same "traps $bits in threads" "${in_threads[@]}" DUMBBELL_FORCE_TRAPS=$bits
 done

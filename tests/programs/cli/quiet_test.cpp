@@ -43,12 +43,6 @@ TEST_CASE("critical --quiet prints the ratios, a line each") {
           "q_c(3) = 1\nq_c(4) = 4.60333884875170...\nq_c(5) = 11.3622592088388...\n");
 }
 
-TEST_CASE("law --quiet prints what is proved") {
-    CHECK_THAT(quietly({"law"}),
-               StartsWith("For every mass ratio q >= q_c(9) = 62.7137...:\n") && !Contains("C ="));
-    CHECK_THAT(quietly({"law", "--count", "1e50"}), Contains(" <= q_c(1"));
-}
-
 TEST_CASE("trace --quiet prints the outcome, of a box with its parts") {
     CHECK(quietly({"trace", "10", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"}) ==
           "exactly 1 collision\n");

@@ -10,29 +10,28 @@ const everything = report(place("all.html"), ...Object.values(files));
 const browser = await launch();
 after(() => browser.close());
 
-const overflow = () => document.documentElement.scrollWidth - innerWidth;
+const overflow = () => document.documentElement.scrollWidth - document.documentElement.clientWidth;
 const beyond = () => [...document.querySelectorAll("main *")]
     .filter((e) => !e.closest(".scroll, .command, option") && e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.outerHTML.slice(0, 90));
 
-for (const width of [400, 800, 1600]) {
-    test(`every kind of certificate, ${width} px, light and dark: no error, no request, no overflow`, async () => {
-        const page = await open(browser, everything, { viewport: { width, height: 900 } });
-        for (const colorScheme of ["light", "dark"]) {
-            await page.emulateMedia({ colorScheme });
-            const wider = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-            assert.ok(wider <= 0, `${colorScheme}: ${wider} px too wide`);
-            assert.deepEqual(await page.evaluate(beyond), [], colorScheme);
+test("every kind of certificate, at three widths, light and dark: no error, no request, no overflow", async () => {
+    const page = await open(browser, everything);
+    for (const unfolded of [false, true]) {
+        await page.evaluate((open) => open && document.querySelectorAll("details").forEach((details) => (details.open = true)), unfolded);
+        for (const width of [400, 800, 1600]) {
+            await page.setViewportSize({ width, height: 900 });
+            for (const colorScheme of ["light", "dark"]) {
+                await page.emulateMedia({ colorScheme });
+                const where = `${width} px, ${colorScheme}${unfolded ? ", unfolded" : ""}`;
+                assert.ok((await page.evaluate(overflow)) <= 0, where);
+                assert.deepEqual(unfolded ? [] : await page.evaluate(beyond), [], where);
+            }
         }
-        await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
-        for (const colorScheme of ["dark", "light"]) {
-            await page.emulateMedia({ colorScheme });
-            assert.ok((await page.evaluate(overflow)) <= 0, `${colorScheme}, unfolded`);
-        }
-        assert.deepEqual(page.complaints, []);
-        assert.deepEqual(page.requests, [`file://${everything}`]);
-        await page.close();
-    });
-}
+    }
+    assert.deepEqual(page.complaints, []);
+    assert.deepEqual(page.requests, [`file://${everything}`]);
+    await page.close();
+});
 
 for (const [name, file] of Object.entries({ ...files, long })) {
     test(`${name} alone: no error, its name, its checksum, the command that verifies it`, async () => {
@@ -47,8 +46,8 @@ for (const [name, file] of Object.entries({ ...files, long })) {
     });
 }
 
-// N is 2^53 + 1, and beyond 2^63; a range whose pieces differ by one beyond 2^53.
-const far = ["103444904176052125293213419806588", "1.2e38", "1.0345e32:1.034500000000000095e32"];
+// N is beyond 2^63; a range whose pieces differ by one beyond 2^53.
+const far = ["1.2e38", "1.0345e32:1.034500000000000095e32"];
 
 for (const ratio of far) {
     test(`the counts of q = ${ratio} are the certificate's, to the last digit`, async () => {

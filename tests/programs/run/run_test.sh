@@ -31,14 +31,15 @@ cat > "$project/main.cpp" << 'END'
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 static bool holds_lock(int fd) {
     char link[64], path[4096] = {};
     std::snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
     return readlink(link, path, sizeof path - 1) > 0 && std::strstr(path, ".run.lock") != nullptr;
 }
 int main(int argc, char** argv) {
-    std::printf("cwd=%s\n", std::filesystem::current_path().filename().c_str());
+    char folder[4096];
+    if (!getcwd(folder, sizeof folder)) return 1;
+    std::printf("cwd=%s\n", std::strrchr(folder, '/') + 1);
     for (int i = 1; i < argc; ++i) std::printf("<%s>\n", argv[i]);
     for (int fd = 3; fd < 30; ++fd)
         if (holds_lock(fd)) std::puts("the lock is still held");
