@@ -146,13 +146,13 @@ class Agreement(unittest.TestCase):
         chance = random.Random(16)
         lines = gzip.decompress((PROJECT / "certificates/full-plain-10.dbc.gz").read_bytes()).decode().splitlines()
         with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-            paths = [Path(folder) / f"{k}.dbc" for k in range(60 * SCALE)]
+            paths = [Path(folder) / f"{k}.dbc" for k in range(30 * SCALE)]
             for path in paths:
                 path.write_text(tampered(lines, chance))
             theirs = list(pool.map(lambda path: verdict([], path), paths))
-            ours = pool.map(lambda k: self.same([], paths[k:k + 60], theirs[k:k + 60]), range(0, len(paths), 60))
+            ours = pool.map(lambda k: self.same([], paths[k:k + 30], theirs[k:k + 30]), range(0, len(paths), 30))
             refused = sum(code != 0 for part in ours for code, _ in part)
-        self.assertGreater(refused, 40)
+        self.assertGreater(refused, 20)
 
     def fresh(self, folder, requests):
         """Certificates that are written now, by these options of `dumbbell certify`: both accept them, and say the same."""
