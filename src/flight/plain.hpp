@@ -274,4 +274,12 @@ template <class I>
     return cap + 1;
 }
 
+// Compiled once, in plain.cpp: all that is flattened into them takes long.
+extern template long plain_count(PlainRay<Interval>, const Body<Interval>&, long, const Interrupted&);
+extern template long plain_count(PlainRay<BigInterval>, const Body<BigInterval>&, long, const Interrupted&);
+extern template long plain_later_collisions(PlainDeparture<Interval>, const Body<Interval>&, long,
+                                            const Interrupted&);
+extern template long plain_later_collisions(PlainDeparture<BigInterval>, const Body<BigInterval>&, long,
+                                            const Interrupted&);
+
 }  // namespace dumbbell::flight
