@@ -62,8 +62,7 @@ TEST_CASE("a program without its certificates says that they are missing") {
 TEST_CASE("law believes no certificate that the verifier rejects, and answers by none but its own") {
     const TemporaryFolder folder;
     const std::string file = folder / "law.dbc", ten = certificate(folder, "10");
-    REQUIRE(dumbbell({"law", "--prove", "--out", file}).code == 0);
-    std::string text = contents(file);
+    std::string text = run({"gzip", "-dc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"}).out;
     text.replace(text.find("\ncover end 1500"), 15, "\ncover end 150");
     write_file(file, text);
     CHECK_THAT(refused_with(file, {}), Contains("is not verified: s REJECTED"));
