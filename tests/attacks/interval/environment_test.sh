@@ -21,13 +21,13 @@ words=(certify far critical law audit trace starts adiabatic plot verify leaves 
 command_of() {
     case $1 in
         certify) command=("$dumbbell" certify 1:30 --gap 1e-6 --jobs 8 --out "$folder/out.dbc") ;;
-        far) command=("$dumbbell" certify 1e24 --jobs 8 --out "$folder/out.dbc") ;;
+        far) command=("$dumbbell" certify 1e20 --jobs 8 --out "$folder/out.dbc") ;;
         critical) command=("$dumbbell" critical 3:12 --jobs 8) ;;
         law) command=("$dumbbell" law --count 1e50) ;;
         audit) command=("$dumbbell" audit "$stairs") ;;
         trace) command=("$dumbbell" trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2) ;;
         starts) command=("$dumbbell" trace 10 --phi 0.3:0.4 --phidot 1 --y 3 --ydot -1/2 --subdivide --max-boxes 500 --jobs 8) ;;
-        adiabatic) command=("$dumbbell" adiabatic --delta 0.01 --jobs 8) ;;
+        adiabatic) command=("$dumbbell" adiabatic --delta 0.01 --phi-margin 1 --jobs 8) ;;
         plot) command=("$dumbbell" plot staircase "$stairs" --out "$folder/out.svg") ;;
         verify) command=("$verifier" "$certificates/q-10.dbc") ;;
         leaves) command=("$verifier" --jobs 8 "$stairs") ;;

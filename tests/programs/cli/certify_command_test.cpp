@@ -7,16 +7,6 @@
 using namespace dumbbell_test;
 using Json = nlohmann::json;
 
-TEST_CASE("certify RATIO prints the table and the sentence, says nothing on stderr, and exits 0") {
-    const Outcome ten = dumbbell({"certify", "10"});
-    CHECK(ten.code == 0);
-    CHECK(ten.err.empty());
-    CHECK_THAT(ten.out, Contains("mass ratio  N  paper  boxes"));
-    CHECK_THAT(ten.out,
-               Contains("Proved: at mass ratio 10 no trajectory hits the floor more than 4 times, and some "
-                        "trajectory hits it 4 times."));
-}
-
 TEST_CASE("the option --out writes a certificate and --json names it with its checksum") {
     const TemporaryFolder folder;
     const Outcome result = dumbbell({"certify", "10", "--json", "--out", "ten.dbc"}, folder.path());
@@ -146,16 +136,6 @@ TEST_CASE(
 
 TEST_CASE("options may stand before the ratio and be joined with =") {
     CHECK(dumbbell({"certify", "--jobs=1", "--gap=1e-4", "4:5"}).code == 0);
-}
-
-TEST_CASE("the staircase from 1 to 100: small, decided but for the gaps, and the fraction printed") {
-    const TemporaryFolder folder;
-    const Outcome stairs =
-        dumbbell({"certify", "1:100", "--gap", "1e-6", "--out", "stairs.dbc"}, folder.path());
-    CHECK(stairs.code == 0);
-    CHECK_THAT(stairs.out, Contains("Decided: all but ") && Contains("e-06 of the range"));
-    CHECK(contents(folder / "stairs.dbc").size() < 300'000);
-    CHECK_THAT(contents(folder / "stairs.dbc"), Contains("total open 0\n"));
 }
 
 TEST_CASE(

@@ -44,8 +44,6 @@ TEST_CASE("a maximum beyond 64 bits is proved, verified, and said in full") {
     const Outcome exactly = verified(file, {"--exactly", maximum});
     CHECK(exactly.code == 0);
     CHECK_THAT(exactly.out, Contains("upper=" + maximum + " lower=" + maximum + " "));
-    CHECK(verified(file, {"--max", one_more}).code == 0);
-    CHECK(verified(file, {"--min", one_less}).code == 0);
     for (const Words& claim : {Words{"--max", one_less}, Words{"--min", one_more}}) {
         const Outcome refused = verified(file, claim);
         CHECK(refused.code == 1);

@@ -61,23 +61,6 @@ TEST_CASE("a range is a table in order, as text and as JSON, whatever the thread
     CHECK(one.at("ratios") == two.at("ratios"));
 }
 
-TEST_CASE("the option --out writes the table, tab-separated, twice the same") {
-    const TemporaryFolder folder;
-    for (const char* name : {"a.tsv", "b.tsv"}) {
-        const Outcome result =
-            dumbbell({"critical", "3:6", "--out", name, "--jobs", name[0] == 'a' ? "1" : "2"}, folder.path());
-        CHECK(result.code == 0);
-        CHECK_THAT(result.out, Contains(std::string("Table: ") + name));
-    }
-    const std::string table = contents(folder / "a.tsv");
-    CHECK(table == contents(folder / "b.tsv"));
-    CHECK_THAT(
-        table,
-        Contains("# N\tq_c\tradius\tbits\torbit\tflight\n3\t1\t0\t128\ttop\t1\n4\t4.60333884875170\t"));
-    CHECK(count_lines(table) == 7);
-    CHECK(json_of({"critical", "4", "--out", folder / "c.tsv"}).at("out") == folder / "c.tsv");
-}
-
 TEST_CASE("critical within a budget: what was finished is printed, and exit 3 tells that not all was") {
     const TemporaryFolder folder;
     const Outcome result =

@@ -99,31 +99,6 @@ TEST_CASE("every option of every command is in the man page and the completion")
     }
 }
 
-TEST_CASE("every help and the reference say in the same words how a command is called") {
-    std::istringstream lines(generated("reference"));
-    std::size_t commands = 0;
-    std::string heading;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("## dumbbell")) {
-            heading = line;
-        } else if (!heading.empty() && line.starts_with("    ")) {
-            Words words;
-            std::istringstream named(heading.substr(std::string("## dumbbell").size()));
-            for (std::string word; named >> word;) {
-                words.push_back(word);
-            }
-            words.emplace_back("--help");
-            heading.clear();
-            CAPTURE(line);
-            // The verifier explains itself.
-            CHECK_THAT(dumbbell(words).out,
-                       Contains(words.front() == "verify" ? "usage: " : "Usage: " + line.substr(4) + "\n"));
-            ++commands;
-        }
-    }
-    CHECK(commands > 15);
-}
-
 TEST_CASE("the verifier's man page has the options of its help, in the same words, and no other") {
     const auto said = options_of_help(verifier({"--help"}).out);
     CHECK(said.size() > 15);

@@ -58,17 +58,6 @@ TEST_CASE("every command's help says once what its exit codes mean") {
     }
 }
 
-TEST_CASE("the help of every command that can be stopped says so") {
-    for (const char* command : {"certify", "critical", "adiabatic", "trace"}) {
-        CAPTURE(command);
-        CHECK_THAT(help_of({command}).out, Contains("SIGINT (Ctrl-C) or SIGTERM: "));
-    }
-}
-
-TEST_CASE("the help of trace explains what its table and its bounds are") {
-    CHECK_THAT(help_of({"trace"}).out, Contains("The grazing sine is") && Contains("outcome on stderr"));
-}
-
 TEST_CASE("the option --version says which build this is: version, compiler, flags") {
     const Outcome version = dumbbell({"--version"});
     CHECK(version.code == 0);
@@ -114,14 +103,5 @@ TEST_CASE("every line of every help fits 120 columns, and its usual names work")
     CHECK(dumbbell({"help", "verify"}).out == help_of({"verify"}).out);
     for (const char* version : {"version", "-V"}) {
         CHECK(dumbbell({version}).out == dumbbell({"--version"}).out);
-    }
-}
-
-TEST_CASE("every picture has an example") {
-    for (const ListedCommand& command : listed_commands()) {
-        if (!command.words.empty() && command.words.front() == "plot") {
-            CAPTURE(command.words);
-            CHECK_THAT(help_of(command.words).out, Contains("Example") && Contains("dumbbell plot "));
-        }
     }
 }

@@ -90,21 +90,6 @@ TEST_CASE("a part says which one it is, and keeps its own finished pieces") {
     CHECK_THAT(dumbbell(kept, folder.path()).err, Contains("'part.dbc.partial' is in the way"));
 }
 
-TEST_CASE("a part that was killed goes on, and another part does not take its pieces") {
-    const TemporaryFolder folder;
-    const auto words = [](const std::string& part) {
-        return Words{"certify", "1:1e5", "--gap", "1e-12", "--part", part, "--out", "part.dbc"};
-    };
-    Process process(with_program(words("3/4")), folder.path());
-    REQUIRE(process.until([&] { return kept(folder / "part.dbc.partial") >= 5; }));
-    process.kill();
-    (void)process.wait();
-    CHECK_THAT(dumbbell(words("4/4"), folder.path()).err,
-               Contains("holds the finished pieces of another run"));
-    REQUIRE(dumbbell(words("3/4"), folder.path()).code == 0);
-    CHECK(folder.names() == Words{"part.dbc"});
-}
-
 TEST_CASE("parts are of ranges, and no more than there are steps") {
     CHECK_THAT(refused({"certify", "10", "--part", "1/2"}), Contains("a single mass ratio has no parts"));
     CHECK_THAT(refused({"critical", "4", "--part", "1/2"}), Contains("a single critical ratio has no parts"));
@@ -216,7 +201,8 @@ TEST_CASE("parts of another scene, section or kind are refused in one line") {
 }
 
 TEST_CASE("parts of a model wedge, and of the full section, are joined") {
-    for (const Words& options : {Words{"--scene", "wedge"}, {"--scene", "hybrid"}, {"--section", "full"}}) {
+    for (const Words& options :
+         {Words{"--scene", "wedge"}, {"--scene", "hybrid"}, {"--section", "full", "--gap", "0.01"}}) {
         const TemporaryFolder folder;
         const bool is_wedge = options[0] == "--scene";
         const char* range = is_wedge ? "1:300" : "1:20";

@@ -271,12 +271,3 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
                       without_files({"--together", "--scene", "body", "--rho", "1", "coin.dbc"}),
                       without_files({"--together", "--max", "3", "ten.dbc"})});
 }
-
-TEST_CASE("help and README name the page") {
-    for (const char* command : {"law", "trace", "audit"}) {
-        CAPTURE(command);
-        CHECK(dumbbell({command, "--help"}).out.find("docs/reference/json.md") != std::string::npos);
-    }
-    CHECK(dumbbell({"--help"}).out.find("docs/reference/json.md") != std::string::npos);
-    CHECK(contents(DUMBBELL_PROJECT "/README.md").find("(docs/reference/json.md)") != std::string::npos);
-}

@@ -125,9 +125,7 @@ TEST_CASE("a file is read as it is named, whatever a parser or a format could ma
         write_file(folder / other, sound);
     }
     for (const std::string name :
-         {"[good.dbc]", "[a,b]", "[a, b]", "[[a]]",      "[]",   "[",   "]",       "[a",
-          "a]",         "a,b",   "{0}",    "{good.dbc}", "%s%n", "%%",  "\x01[a]", "\x01",
-          "@a",         "a;b",   "~",      "*.dbc",      "a=b",  "a:b", "$HOME",   "\\a"}) {
+         {"[good.dbc]", "[a,b]", "[[a]]", "[", "a,b", "{0}", "%s%n", "\x01[a]", "@a", "*.dbc", "\\a"}) {
         CAPTURE(name);
         write_file(folder / name, damaged);
         for (const Words& words : {Words{"audit", name}, Words{"audit", "good.dbc", name}, Words{"law", name},

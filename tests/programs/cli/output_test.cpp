@@ -205,3 +205,13 @@ TEST_CASE("whatever could not be printed is no success, in every command") {
         CHECK(count_lines(result.err) == 1);
     }
 }
+
+TEST_CASE("no file that is opened gets the number of a standard stream that is closed") {
+    const Outcome result =
+        run({"timeout", "60", "sh", "-c",
+             DUMBBELL_BIN " certify 1e16 --section full <&- >&- 2>&- & "
+                          "cd /proc/$!/fd; "
+                          "until [ \"$(readlink 0 1 2 | uniq -c | tr -d ' ')\" = 3/dev/null ]; do :; done; "
+                          "kill $!"});
+    CHECK(result.code == 0);
+}

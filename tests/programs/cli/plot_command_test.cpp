@@ -6,20 +6,6 @@
 
 using namespace dumbbell_test;
 
-TEST_CASE("plot staircase draws a certificate, plain or compressed, and says nothing") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc"}, folder.path()).code == 0);
-    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
-    const Outcome plain = dumbbell({"plot", "staircase", "stairs.dbc", "--out", "one.svg"}, folder.path());
-    CHECK(plain.code == 0);
-    CHECK(plain.out.empty());
-    CHECK(plain.err.empty());
-    CHECK(dumbbell({"plot", "staircase", "stairs.dbc.gz", "--out", "two.svg"}, folder.path()).code == 0);
-    CHECK(contents(folder / "one.svg") == contents(folder / "two.svg"));
-    CHECK_THAT(contents(folder / "one.svg"), Contains("<svg") && Contains("class=\"proved\" d=") &&
-                                                 Contains("class=\"paper\" d=") && Contains("</svg>"));
-}
-
 namespace {
 
 // One certificate of each kind, made once.

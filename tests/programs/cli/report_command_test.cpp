@@ -140,20 +140,3 @@ TEST_CASE("what cannot be read is refused in one line, and an older page stays")
     CHECK(contents(folder / "page.html") == "old");
     CHECK(folder.names() == before);
 }
-
-TEST_CASE("a page that cannot be written, a missing option or a senseless number is refused") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
-    for (const Words& words : std::vector<Words>{{"ten.dbc"},
-                                                 {"--out", "page.html"},
-                                                 {"ten.dbc", "--out", "no/such/folder/page.html"},
-                                                 {"ten.dbc", "--out", "."},
-                                                 {"ten.dbc", "--out", "page.html", "--max-boxes", "0"},
-                                                 {"ten.dbc", "--out", "page.html", "--max-boxes", "many"}}) {
-        const Outcome refused = report(folder, words);
-        CAPTURE(words, refused.err);
-        CHECK(refused.code == 2);
-        CHECK(count_lines(refused.err) == 1);
-        CHECK(folder.names() == Words{"ten.dbc"});
-    }
-}

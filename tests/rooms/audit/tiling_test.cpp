@@ -113,14 +113,6 @@ TEST_CASE("a leaf of area 2^-400 of the root is missed") {
     CHECK(tiling.missing == Rational(16) / Rational(Integer(1) << 399));
 }
 
-TEST_CASE("a removed subtree is missing area") {
-    Tree tree = random_tree(200, plane_axes, 9);
-    tree.resize(tree.size() - 30);
-    const Boxes boxes = leaf_boxes(Chart::bridge, 10, 13, tree);
-    CHECK(boxes.leaves.size() < 200);
-    CHECK(check_tiling(boxes).fault == Fault::missing_area);
-}
-
 TEST_CASE("no leaf at all is missing area") {
     const Tiling tiling = check_tiling(root_of(Chart::bridge, 10, 10));
     CHECK(tiling.fault == Fault::missing_area);

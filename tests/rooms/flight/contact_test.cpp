@@ -227,3 +227,14 @@ TEST_CASE("NaN is neither a certain miss nor a certain hit") {
     check(Interval());
     check(BigInterval());
 }
+
+TEST_CASE("A guess from NaN or from absurd rays stays in [0, pi/2]") {
+    for (const double c : {not_a_number, 0.0, 1e300, infinity, -1.0}) {
+        for (const double kappa : {not_a_number, 1.0, 1.5, 1e300, -infinity, infinity, -1e5}) {
+            const auto guess = guess_contact(Interval(c), Interval(kappa));
+            CAPTURE(c, kappa, show(guess.z));
+            CHECK(guess.z.lo() >= 0);
+            CHECK(guess.z.hi() <= half_pi<Interval>().lo());
+        }
+    }
+}

@@ -68,32 +68,3 @@ TEST_CASE("Rays near the edge of few bits have the same bounds and counts as bef
         }
     }
 }
-
-TEST_CASE("What few bits say of these rays, 300 bits do not contradict") {
-    for (const auto& [bits, ray, expected] : rows()) {
-        CAPTURE(bits, dumbbell_test::show(ray));
-        const auto at = [&, &ray = ray](int precision) {
-            const PrecisionScope scope(precision);
-            return std::tuple(lowest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
-                              highest_contact(BigInterval(ray.c), BigInterval(ray.kappa)),
-                              count_at_least(as<BigInterval>(ray), near_rays_cap),
-                              count_at_most(as<BigInterval>(ray), near_rays_cap));
-        };
-        const auto [lowest, highest, fewest, most] = at(bits);
-        const auto [fine_lowest, fine_highest, fine_fewest, fine_most] = at(300);
-        CHECK(fine_fewest <= most);
-        CHECK(fine_most >= fewest);
-        if (fine_highest) {
-            REQUIRE(lowest);
-            CHECK(lowest->x.lo() <= fine_highest->x.hi());
-            CHECK(lowest->sin_x.lo() <= fine_highest->sin_x.hi());
-            CHECK(lowest->cos_x.hi() >= fine_highest->cos_x.lo());
-        }
-        if (highest) {
-            REQUIRE(fine_lowest);
-            CHECK(highest->x.hi() >= fine_lowest->x.lo());
-            CHECK(highest->sin_x.hi() >= fine_lowest->sin_x.lo());
-            CHECK(highest->cos_x.lo() <= fine_lowest->cos_x.hi());
-        }
-    }
-}
