@@ -17,8 +17,8 @@ BigInterval delta_bounds(const Integer& n, const Constants& constants) {
     // 0 < delta_n < 0.0200, so this has the root of q_c(n).
     const BigInterval root = (number(Rational(n - 2)) + hull(BigInterval(0), number(1, 50))) / constants.C;
     const BigInterval s = sqrt(BigInterval(1) / root), log_q = log(root) + log(root);
-    const BigInterval after = number(n % 2 == 0 ? 496 : 378, 1000);
-    const BigInterval slack = number(11, 100) + number(26, 10) * s;
+    const BigInterval after = number(n % 2 == 0 ? 497 : 380, 1000);
+    const BigInterval slack = number(72, 1000) + number(26, 10) * s;
     return constants.c0 * s - (constants.kappa * log_q + after + hull(-slack, slack)) / root;
 }
 

@@ -5,7 +5,7 @@
 namespace dumbbell::law {
 namespace {
 
-constexpr int bulk_parts = 192;        ///< of the quadrature of P
+constexpr int bulk_parts = 288;        ///< of the quadrature of P
 constexpr int bulk_second_parts = 12;  ///< of that in the term of second order
 
 /// int_a^b f(x) dx for the ends in these intervals, by n equal parts.

@@ -16,14 +16,14 @@ constexpr std::array<BulkRange, 3> bulk_ranges{{{0, 6000, 2.1}, {6000, 7000, 6.2
 
 constexpr int eps_parts = 4;
 
-/// (C9): |M - p(th)| <= w(th), p = -1/3 + 0.94 th^2 - 1.035 th^4 + 2.107 th^8, w = 0.007 + 1.1 th^8, here
+/// (C9): |M - p(th)| <= w(th), p = -1/3 + 0.94 th^2 - 1.035 th^4 + 2.107 th^8, w = 0.006 + 0.75 th^8, here
 /// with a little to spare.
 bool is_near_polynomial(const Interval& defect, const Interval& th) {
     const Interval x = sqr(th), x2 = sqr(x), x4 = sqr(x2);
     const auto thousandths = [](int k) { return Interval(k) / 1000; };
     const Interval p =
         x * thousandths(940) - x2 * thousandths(1035) + x4 * thousandths(2107) - Interval(1) / 3;
-    return certainly_at_most(abs(defect - p), thousandths(7) + x4 * Interval(109) / 100);
+    return certainly_at_most(abs(defect - p), thousandths(6) + x4 * Interval(74) / 100);
 }
 
 /// Part i of n of [lo, hi]/10000.
@@ -60,8 +60,8 @@ bool end_closes(const Parts& parts) {
         const EndBounds found = end_bounds(d);
         const Interval k0 = comparison_constant();
         // (C11), with a little to spare.
-        const Interval off = abs(found.surplus + Interval(331) / 2000);
-        if (!certainly_at_most(off, (Interval(39) + 4800 * low_end(d)) / 10'000) ||
+        const Interval off = abs(found.surplus + Interval(1657) / 10'000);
+        if (!certainly_at_most(off, (Interval(29) + 4800 * low_end(d)) / 10'000) ||
             !(found.at_zero.lo() <= k0.lo() && k0.hi() <= found.at_zero.hi())) {
             return false;
         }

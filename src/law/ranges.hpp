@@ -7,7 +7,7 @@ namespace dumbbell::law {
 
 /// The parts of th in [0, 0.6], [0.6, 0.7] and [0.7, 0.7944], and those of d in [0, 0.09].
 struct Parts {
-    std::array<int, 3> bulk{4000, 2000, 4000};
+    std::array<int, 3> bulk{6000, 1000, 2000};
     int end = 1500;
 };
 

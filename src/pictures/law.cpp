@@ -58,8 +58,8 @@ struct Law {
     [[nodiscard]] double lateness(long n, double q) const { return fourth_root(q) * (2 - excess(n)(q)); }
     // The bounds of that by Theorem A, the lower one for even n, the upper one for odd n, and a ratio from
     // where on all steps have them: C sqrt q < 902 at q_c(903).
-    [[nodiscard]] Curve theorem_a_low() const { return after_logarithm(0.496 + 0.11, 2.6); }
-    [[nodiscard]] Curve theorem_a_high() const { return after_logarithm(0.378 - 0.11, -2.6); }
+    [[nodiscard]] Curve theorem_a_low() const { return after_logarithm(0.497 + 0.072, 2.6); }
+    [[nodiscard]] Curve theorem_a_high() const { return after_logarithm(0.38 - 0.072, -2.6); }
     [[nodiscard]] double theorem_a_from() const { return std::pow(902 / C, 2); }
 
   private:

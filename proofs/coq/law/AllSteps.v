@@ -52,17 +52,17 @@ Qed.
 (** A bound of M that grows; on a step it is that of the angle th, which lies between those of the two contacts. *)
 Definition growing e c t := e + 0.94 * t^2 - 1.035 * t^4 + c * t^8.
 Definition area e c a := e * a + 0.94 / 3 * a^3 - 1.035 / 5 * a^5 + c / 9 * a^9.
-Lemma growing_grows e c a b : 1.007 <= c -> 0 <= a <= b -> b <= 0.8 -> growing e c a <= growing e c b.
+Lemma growing_grows e c a b : 1.357 <= c -> 0 <= a <= b -> b <= 0.8 -> growing e c a <= growing e c b.
 Proof.
   intros Hc H Hb. destruct (Req_dec a b) as [->|Z]; [lra|].
   destruct (MVT_cor2 (growing e c) (fun t => t * (1.88 - 4.14 * t^2 + 8 * c * t^6)) a b) as [s [E Hs]]; [lra | |].
   { intros t _. apply is_derive_Reals. unfold growing. auto_derive; [easy | lra]. }
-  assert (V : 0 <= 1.88 - 4.14 * s^2 + 8 * 1.007 * s^6).
+  assert (V : 0 <= 1.88 - 4.14 * s^2 + 8 * 1.357 * s^6).
   { assert (B : 0 <= s <= 0.8) by lra. clear -B. interval with (i_bisect s). }
-  assert (W : 1.007 * s^6 <= c * s^6) by (apply Rmult_le_compat_r; [apply pow_le|]; lra).
+  assert (W : 1.357 * s^6 <= c * s^6) by (apply Rmult_le_compat_r; [apply pow_le|]; lra).
   assert (0 <= s * (1.88 - 4.14 * s^2 + 8 * c * s^6) * (b - a)) by (repeat apply Rmult_le_pos; lra). lra.
 Qed.
-Lemma area_step e c a b th : 1.007 <= c -> 0 <= a < b -> b <= 0.8 -> a <= th <= b -> b - a <= 0.0026 ->
+Lemma area_step e c a b th : 1.357 <= c -> 0 <= a < b -> b <= 0.8 -> a <= th <= b -> b - a <= 0.0026 ->
   let more := 0.0026 * (growing e c b - growing e c a) in
   area e c b - area e c a - more <= growing e c th * (b - a) <= area e c b - area e c a + more.
 Proof.
@@ -78,16 +78,16 @@ Proof.
   unfold more. lra.
 Qed.
 (** From above, with rate + width, and from below, with rate - width. *)
-Definition gained a := area (- (1/3) + 0.007) 3.207 a + 0.0026 * growing (- (1/3) + 0.007) 3.207 a.
-Definition missed a := area (- (1/3) - 0.007) 1.007 a - 0.0026 * growing (- (1/3) - 0.007) 1.007 a.
+Definition gained a := area (- (1/3) + 0.006) 2.857 a + 0.0026 * growing (- (1/3) + 0.006) 2.857 a.
+Definition missed a := area (- (1/3) - 0.006) 1.357 a - 0.0026 * growing (- (1/3) - 0.006) 1.357 a.
 Lemma end_of_bulk : 0.7021 < cos 0.7923.
 Proof. interval. Qed.
 Lemma bulk_values a b : 0 <= a <= 0.0013 -> 0.7923 <= b <= 0.7957 ->
-  gained b - gained a <= -0.1198 /\ -0.166 <= missed b - missed a.
+  gained b - gained a <= -0.1259 /\ -0.1602 <= missed b - missed a.
 Proof.
   intros Ha Hb. assert (A : -0.0013 <= gained a /\ missed a <= 0.0009)
     by (unfold gained, missed, area, growing; split; interval).
-  assert (B : gained b <= -0.1211 /\ -0.165 <= missed b)
+  assert (B : gained b <= -0.1272 /\ -0.1593 <= missed b)
     by (unfold gained, missed, area, growing; split; interval with (i_bisect b, i_autodiff b)).
   lra.
 Qed.
@@ -200,17 +200,17 @@ Proof.
     assert (Bp := beta_pos eps (u k) (proj1 A) ltac:(apply sin_gt_0; lra)).
     assert (Bp' := beta_pos eps (u (S k)) (proj1 A) ltac:(apply sin_gt_0; lra)).
     assert (Th : al k <= th <= al (S k)) by lra.
-    destruct (area_step (- (1/3) + 0.007) 3.207 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
+    destruct (area_step (- (1/3) + 0.006) 2.857 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
       as [_ Z1].
-    destruct (area_step (- (1/3) - 0.007) 1.007 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
+    destruct (area_step (- (1/3) - 0.006) 1.357 (al k) (al (S k)) th ltac:(lra) ltac:(lra) ltac:(lra) Th ltac:(lra))
       as [Z2 _].
     fold da in Z1, Z2. assert (E0 : 0 <= eps / 2) by lra.
     assert (Y1 := Rmult_le_compat_l _ _ _ E0 Z1). assert (Y2 := Rmult_le_compat_l _ _ _ E0 Z2).
     assert (R2 : DD <= eps / 2 * (gained (al (S k)) - gained (al k))).
-    { apply Rle_trans with (eps / 2 * (growing (- (1/3) + 0.007) 3.207 th * da)); [|unfold gained; lra].
+    { apply Rle_trans with (eps / 2 * (growing (- (1/3) + 0.006) 2.857 th * da)); [|unfold gained; lra].
       unfold growing. unfold rate, width in H0. lra. }
     assert (R3 : eps / 2 * (missed (al (S k)) - missed (al k)) <= DD).
-    { apply Rle_trans with (eps / 2 * (growing (- (1/3) - 0.007) 1.007 th * da)); [unfold missed; lra|].
+    { apply Rle_trans with (eps / 2 * (growing (- (1/3) - 0.006) 1.357 th * da)); [unfold missed; lra|].
       unfold growing. unfold rate, width in H0. lra. }
     split; [exact A1|]. split; [exact J1|]. split; [|intros; exact W5]. rewrite S_INR.
     assert (ED : DD = T k - 1 - T (S k)) by reflexivity. lra.
@@ -265,8 +265,8 @@ Proof.
 Qed.
 Lemma layer_step i : (i < n)%nat -> U i < 9/10 -> PI/2 - 5.3 * eps^2 / u i ^ 3 <= J i ->
   let y := place eps (T i) in let d := difference (T i) in
-  1 < T i /\ comparison eps (T i) * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * d^2)) <= T i - 1 - T (S i) <=
-    comparison eps (T i) * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * d^2)) /\
+  1 < T i /\ comparison eps (T i) * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * d^2)) <= T i - 1 - T (S i) <=
+    comparison eps (T i) * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * d^2)) /\
   PI/2 - 5.3 * eps^2 / u (S i) ^ 3 <= J (S i).
 Proof.
   intros Hi HU HJ. destruct eps_pos as [E1 [E2 E3]]. assert (E4 : eps^2 = eps * eps) by ring.
@@ -308,14 +308,14 @@ Qed.
 (** What is known of the whole orbit. *)
 Record followed (k : nat) : Prop := {
   followed_k : (0 < k < n)%nat;
-  followed_bulk : -0.083 * eps <= T O - T k - INR k <= -0.0599 * eps;
+  followed_bulk : -0.0801 * eps <= T O - T k - INR k <= -0.0629 * eps;
   followed_clock : 0.0595 / eps <= T k <= 0.06125 / eps;
   followed_layer : forall i, (k <= i < n)%nat -> let D := T i - 1 - T (S i) in let d := difference (T i) in
     let z := step_constant * sqrt eps in let h := scale eps in let g := 5 / (3 * PI) in 0 < D <= z * d^3 /\
-    z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D /\
-    D <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4));
+    z * (d^3 - h * (g * d^2 + 0.125 * h * d + 0.45 * d^4)) <= D /\
+    D <= z * (d^3 - h * (g * d^2 - 0.155 * h * d - 0.43 * d^4));
   followed_end : u n <= 4.6724 * sqrt (eps * T n) /\ u n <= 0.18 /\
-    Rabs (T n - 1 - step_constant * sqrt eps + 0.1655 * eps) <= (0.004 + 0.5 * (u n / 2)) * eps }.
+    Rabs (T n - 1 - step_constant * sqrt eps + 0.1657 * eps) <= (0.003 + 0.5 * (u n / 2)) * eps }.
 Theorem L54 : exists k, followed k.
 Proof.
   destruct bulk_first as [k [Hk [H1 H2]]]. exists k. destruct (first_of_layer k Hk H1 H2) as [K0 [U1 U2]].
@@ -348,8 +348,8 @@ Proof.
       assert ((PI - 0.9042) * 0.7021 <= (PI - u k) * cos (al k)) by (apply Rmult_le_compat; lra).
       unfold J, invariant in Jb. lra. }
     destruct (bulk_values (al O) (al k) F0 ltac:(lra)) as [V1 V2].
-    assert (eps / 2 * (gained (al k) - gained (al O)) <= eps / 2 * -0.1198) by (apply Rmult_le_compat_l; lra).
-    assert (eps / 2 * -0.166 <= eps / 2 * (missed (al k) - missed (al O))) by (apply Rmult_le_compat_l; lra). lra.
+    assert (eps / 2 * (gained (al k) - gained (al O)) <= eps / 2 * -0.1259) by (apply Rmult_le_compat_l; lra).
+    assert (eps / 2 * -0.1602 <= eps / 2 * (missed (al k) - missed (al O))) by (apply Rmult_le_compat_l; lra). lra.
   - destruct (C k ltac:(lia)) as [C1 [C2 C3]]. assert (L := latest k ltac:(lia)).
     assert (D2 := L45d_below (u k) (J k) ltac:(lra) C2).
     split; [|exact L]. apply Rmult_le_reg_r with eps; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.

@@ -112,30 +112,30 @@ Proof.
 Qed.
 Theorem L56_late N q n : layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> 1 <= q -> N_star q n ->
   let s := quarter q in let middle := law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2 in
-  let error := (0.11 + 2.6 * s) * s^2 in
+  let error := (0.072 + 2.6 * s) * s^2 in
   (middle + error < delta N q -> (N <= n)%nat) /\ (delta N q <= middle - error -> (n < N)%nat).
 Proof.
   intros HL HB HE HN Hq Hn s middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
   assert (Hc1 := late_enough N c steps_hold HN Hc). assert (A := enclosed N c steps_hold HL HB HE HN Hc).
   unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra. apply Rabs_le_between in A.
   destruct (by_critical N q c n Hc Hq Hn) as [X Y].
-  assert (K : 0.378 <= constant_of N <= 0.496) by (unfold constant_of; destruct (Nat.even N); lra).
+  assert (K : 0.38 <= constant_of N <= 0.497) by (unfold constant_of; destruct (Nat.even N); lra).
   set (k := constant_of N) in *. assert (S2 : s^2 = / sqrt q) by (apply quarter_square; lra).
-  assert (E1 : middle + error = side (k - 0.11) 2.6 q) by (unfold middle, error, side; rewrite S2; fold s; lra).
-  assert (E2 : middle - error = side (k + 0.11) (-2.6) q) by (unfold middle, error, side; rewrite S2; fold s; lra).
-  assert (A1 : delta N c <= side (k - 0.11) 2.6 c) by (unfold side; lra).
-  assert (A2 : side (k + 0.11) (-2.6) c <= delta N c) by (unfold side; lra).
+  assert (E1 : middle + error = side (k - 0.072) 2.6 q) by (unfold middle, error, side; rewrite S2; fold s; lra).
+  assert (E2 : middle - error = side (k + 0.072) (-2.6) q) by (unfold middle, error, side; rewrite S2; fold s; lra).
+  assert (A1 : delta N c <= side (k - 0.072) 2.6 c) by (unfold side; lra).
+  assert (A2 : side (k + 0.072) (-2.6) c <= delta N c) by (unfold side; lra).
   rewrite E1, E2. split; intros H.
   - destruct (Rle_dec q 5) as [L|L].
-    + exfalso. destruct (early_side (k - 0.11) q ltac:(lra) ltac:(lra)) as [B1 B2]. destruct growth_value as [_ G].
+    + exfalso. destruct (early_side (k - 0.072) q ltac:(lra) ltac:(lra)) as [B1 B2]. destruct growth_value as [_ G].
       assert (N9 : 903 <= INR N)
         by (replace 903 with (INR 903) by (rewrite INR_IZR_INZ; reflexivity); now apply le_INR).
       assert (growth * sqrt q <= 0.886 * sqrt q) by (apply Rmult_le_compat_r; [apply sqrt_pos | lra]).
       unfold delta in H. lra.
     + apply X. apply Rnot_le_lt. intros Z. destruct (Req_dec q c) as [Eq|]; [rewrite Eq in H; lra|].
-      assert (M := late_grows N (k - 0.11) 2.6 q c ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
+      assert (M := late_grows N (k - 0.072) 2.6 q c ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
   - apply Y. apply Rnot_lt_le. intros Z.
-    assert (M := late_grows N (k + 0.11) (-2.6) c q ltac:(lra) ltac:(lra) ltac:(lra) Z). lra.
+    assert (M := late_grows N (k + 0.072) (-2.6) c q ltac:(lra) ltac:(lra) ltac:(lra) Z). lra.
 Qed.
 
 Theorem growth_law : layer -> bulk -> end_of_orbit ->

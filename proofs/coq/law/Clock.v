@@ -6,7 +6,7 @@
     L45a_clock              == S(J, al) = tau(u, J)
     tau_mono                == L45 (b): tau increases with u and J
     L45c_below, L45c_u      == L45 (c): u <= 4.6724 sqrt (eps T)
-    L45d_above, L45d_below  == L45 (d), a little sharper: the clock at u = 0.9042 and u = 0.897 *)
+    L45d_above, L45d_below  == L45 (d): the clock at u = 0.9042 and u = 0.897 *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.

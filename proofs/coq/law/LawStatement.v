@@ -37,9 +37,9 @@ Definition law_everywhere := forall q N, 1 <= q -> N_star q N -> 0.980 <= INR N 
 (** Theorem A, where q is the critical ratio q_c(N). *)
 Definition delta N q := growth * sqrt q - (INR N - 2).
 Definition log_constant := 5 / (36 * sqrt 3 * PI).
-Definition constant_of (N : nat) := if Nat.even N then 0.496 else 0.378.
+Definition constant_of (N : nat) := if Nat.even N then 0.497 else 0.38.
 Definition law_with_logarithm N q := let s := quarter q in
-  Rabs (delta N q - (law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2)) <= (0.11 + 2.6 * s) * s^2.
+  Rabs (delta N q - (law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2)) <= (0.072 + 2.6 * s) * s^2.
 
 (** Contacts: eps = q^(-1/2); u is the distance of a contact from the peak, whose height is cos u; al is half the sum of
     the angles of the flights before and after it (L43), beta half their difference. *)
@@ -85,14 +85,14 @@ Definition layer := forall eps u al u' al', step eps u al u' al' -> eps <= 1/100
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
   let T := clock eps u al in let y := place eps T in let Delta := difference T in
   1 < T /\
-  comparison eps T * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * Delta^2)) <= defect eps u al u' al' <=
-    comparison eps T * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * Delta^2)) /\
+  comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * Delta^2)) <= defect eps u al u' al' <=
+    comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)) /\
   invariant u al - invariant u' al' <= 15.9 * (2 * half u u') * eps^2 / U^4.
 
 (** (C9), and (C10) on three ranges of theta. *)
 Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
 Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
-Definition width t := 0.007 + 1.1 * t^8.
+Definition width t := 0.006 + 0.75 * t^8.
 Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
   near_half_pi (middle_invariant eps u al u') ->
   let th := al + beta eps u in let share := eps / 2 * (al' - al) in
@@ -105,4 +105,4 @@ Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000
 Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->
   PI/2 - 0.1 * (u / 2) <= (PI - u / 2) * cos (al + beta eps u) <= PI/2 + 0.6 * (u / 2) ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
-  Rabs (clock eps u al - 1 - step_constant * sqrt eps + 0.1655 * eps) <= (0.004 + 0.5 * (u / 2)) * eps.
+  Rabs (clock eps u al - 1 - step_constant * sqrt eps + 0.1657 * eps) <= (0.003 + 0.5 * (u / 2)) * eps.

@@ -57,10 +57,10 @@ Proof.
   apply Rmult_le_compat; [apply Rle_0_sqr | lra | apply Rmult_le_compat; lra | lra].
 Qed.
 
-Hypothesis C7 : comparison eps T * (1 - y * (5 / (3 * PI) + 0.24 * y + 0.5 * d^2)) <= D.
-Hypothesis C6 : D <= comparison eps T * (1 - y * (5 / (3 * PI) - 0.31 * y - 0.25 * d^2)).
-Theorem layer_defect : 0 < D <= z * d^3 /\ z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D /\
-  D <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4)).
+Hypothesis C7 : comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * d^2)) <= D.
+Hypothesis C6 : D <= comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * d^2)).
+Theorem layer_defect : 0 < D <= z * d^3 /\ z * (d^3 - h * (g * d^2 + 0.125 * h * d + 0.45 * d^4)) <= D /\
+  D <= z * (d^3 - h * (g * d^2 - 0.155 * h * d - 0.43 * d^4)).
 Proof.
   destruct place_range as [D1 [Y0 [Y1 [H1 Y2]]]]. fold g in C6, C7.
   assert (G : 0.5305 <= g <= 0.5306) by (unfold g; split; interval).
@@ -70,23 +70,23 @@ Proof.
   assert (K : comparison eps T = z * d^3) by reflexivity. rewrite K in C6, C7.
   assert (ZD : 0 < z * d^3) by (now apply Rmult_lt_0_compat).
   assert (YG : y * g <= y * 0.5306) by (apply Rmult_le_compat_l; lra).
-  assert (Q : 0 <= g - 0.31 * y - 0.25 * d^2 /\ y * (g + 0.24 * y + 0.5 * d^2) < 1).
-  { replace (y * (g + 0.24 * y + 0.5 * d^2)) with (y * g + 0.24 * (y * y) + 0.5 * (y * d) * d) by ring. rewrite Y1.
-    replace (d^2) with (d * d) by ring. destruct (Rle_dec 0.1 d) as [L|L].
-    - assert (y * 0.1 <= y * d) by (apply Rmult_le_compat_l; lra). assert (Y : y <= 0.739) by lra.
-      assert (y * y <= 0.739 * 0.739) by (apply Rmult_le_compat; lra).
+  assert (Q : 0 <= g - 0.155 * y - 0.43 * d^2 /\ y * (g + 0.125 * y + 0.45 * d^2) < 1).
+  { replace (y * (g + 0.125 * y + 0.45 * d^2)) with (y * g + 0.125 * (y * y) + 0.45 * (y * d) * d) by ring. rewrite Y1.
+    replace (d^2) with (d * d) by ring. destruct (Rle_dec 0.3 d) as [L|L].
+    - assert (y * 0.3 <= y * d) by (apply Rmult_le_compat_l; lra). assert (Y : y <= 0.2464) by lra.
+      assert (y * y <= 0.2464 * 0.2464) by (apply Rmult_le_compat; lra).
       assert (h * d <= 0.0739 * 1) by (apply Rmult_le_compat; lra). lra.
     - assert (Y : y <= 1.16).
       { apply Rnot_lt_le. intros B. assert (1.16 * 1.16 < y * y) by (apply Rmult_le_0_lt_compat; lra). lra. }
-      assert (d * d <= 0.1 * 0.1) by (apply Rmult_le_compat; lra).
-      assert (h * d <= 0.0739 * 0.1) by (apply Rmult_le_compat; lra). lra. }
-  destruct Q as [Q1 Q2]. assert (0 < z * d^3 * (1 - y * (g + 0.24 * y + 0.5 * d^2))) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= z * d^3 * (y * (g - 0.31 * y - 0.25 * d^2))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]).
+      assert (d * d <= 0.3 * 0.3) by (apply Rmult_le_compat; lra).
+      assert (h * d <= 0.0739 * 0.3) by (apply Rmult_le_compat; lra). lra. }
+  destruct Q as [Q1 Q2]. assert (0 < z * d^3 * (1 - y * (g + 0.125 * y + 0.45 * d^2))) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= z * d^3 * (y * (g - 0.155 * y - 0.43 * d^2))) by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]).
   split; [lra|].
   assert (E : forall p r, z * (d^3 - h * (g * d^2 + p * h * d + r * d^4)) = z * d^3 * (1 - y * (g + p * y + r * d^2)))
     by (intros; rewrite <- Y1; ring).
-  assert (E7 := E 0.24 0.5). assert (E6 := E (- 0.31) (- 0.25)). split; [rewrite E7; exact C7|].
-  apply Rle_trans with (1 := C6). apply Rle_trans with (z * d^3 * (1 - y * (g + - 0.31 * y + - 0.25 * d^2))); [lra|].
+  assert (E7 := E 0.125 0.45). assert (E6 := E (- 0.155) (- 0.43)). split; [rewrite E7; exact C7|].
+  apply Rle_trans with (1 := C6). apply Rle_trans with (z * d^3 * (1 - y * (g + - 0.155 * y + - 0.43 * d^2))); [lra|].
   rewrite <- E6. lra.
 Qed.
 End Place.

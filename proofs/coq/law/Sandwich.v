@@ -45,9 +45,9 @@ Hypothesis Hh : 0 <= h.
 Hypothesis Hg : 0 <= g.
 Hypothesis Hsum : e + z * (Series cube - 1) <= x <= 1.
 Hypothesis HU : forall j, (j < m)%nat -> let d := Delta j in
-  D j <= z * (d^3 - h * (g * d^2 - 0.31 * h * d - 0.25 * d^4)).
+  D j <= z * (d^3 - h * (g * d^2 - 0.155 * h * d - 0.43 * d^4)).
 Hypothesis HL : forall j, (j < m)%nat -> let d := Delta j in
-  z * (d^3 - h * (g * d^2 + 0.24 * h * d + 0.5 * d^4)) <= D j.
+  z * (d^3 - h * (g * d^2 + 0.125 * h * d + 0.45 * d^4)) <= D j.
 Let P j := 1 - / INR (S j).
 
 (** What a step has: its Delta beside that of the integer n below its T. *)
@@ -86,8 +86,8 @@ Ltac one_step j Hj bound :=
   assert (M3 := Rmult_le_compat_l _ _ _ ZZ (proj2 A1)); assert (M4 := Rmult_le_compat_l _ _ _ ZH A5);
   replace (P (S j)) with (P j + t) by (unfold t; ring).
 Theorem logarithm_above j : (j <= m)%nat -> T j - (INR j + 1) - e <= z * (sum_n cube j - 1) -
-  z * h * g * (ln (INR (S j)) / 4 - (0.0038 + x / 4) * P j) + 0.31 * (z * h^2) * (sqrt (INR (S j)) - 1) +
-  z * h / 64 * P j.
+  z * h * g * (ln (INR (S j)) / 4 - (0.0038 + x / 4) * P j) + 0.155 * (z * h^2) * (sqrt (INR (S j)) - 1) +
+  0.43 * (z * h) / 16 * P j.
 Proof.
   destruct at_zero as [Z1 [Z2 [Z3 Z4]]].
   induction j as [|j IH]; intros Hj; [rewrite Hend, Z1, Z2, Z3, Z4; simpl; lra|]. specialize (IH ltac:(lia)).
@@ -96,7 +96,7 @@ Proof.
   lra.
 Qed.
 Theorem logarithm_below j : (j <= m)%nat -> z * (sum_n cube j - 1) - 0.156 * (z * x) * P j -
-  z * h * g * (ln (INR (S j)) / 4) - 0.24 * (z * h^2) * (sqrt (INR (S j)) - 1) - z * h / 32 * P j <=
+  z * h * g * (ln (INR (S j)) / 4) - 0.125 * (z * h^2) * (sqrt (INR (S j)) - 1) - 0.45 * (z * h) / 16 * P j <=
   T j - (INR j + 1) - e.
 Proof.
   destruct at_zero as [Z1 [Z2 [Z3 Z4]]].

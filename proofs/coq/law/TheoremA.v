@@ -5,7 +5,7 @@
     layer_and_end   == what the layer and the end give of it
     late_enough     == such a critical ratio is at least 10^6
     quarter_square  == q^(-1/4)^2 = 1/sqrt q
-    enclosed        == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.11 + 2.6 s) s^2, where s = q^(-1/4)
+    enclosed        == delta_N is c0 s - kappa s^2 ln q - k_N s^2, but for (0.072 + 2.6 s) s^2, where s = q^(-1/4)
     A_positive      == the lower bound is positive
     theorem_A       == delta_N is so enclosed, and is between 0 and c0 s *)
 From Coq Require Import Reals Lra Lia.
@@ -53,9 +53,9 @@ Hypothesis Hend : end_of_orbit.
 
 (** The layer and the end, T_k - (m + 1) over eps, where m = n - k, beside k0 s times the sum of all cubes. *)
 Lemma layer_and_end : exists k z, 0 < sqrt eps /\ z = step_constant * sqrt eps /\
-  -0.083 * eps <= T O - T k - INR k <= -0.0599 * eps /\
-  -0.2179 * eps - 1.17 * (sqrt eps * eps) <= T k - (INR n - INR k + 1) - z * Series cube +
-    log_constant / 2 * ln q * eps <= -0.1338 * eps + 1.17 * (sqrt eps * eps).
+  -0.0801 * eps <= T O - T k - INR k <= -0.0629 * eps /\
+  -0.2037 * eps - 1.17 * (sqrt eps * eps) <= T k - (INR n - INR k + 1) - z * Series cube +
+    log_constant / 2 * ln q * eps <= -0.1503 * eps + 1.17 * (sqrt eps * eps).
 Proof.
   destruct eps_small as [E1 [E2 E3]]. destruct (small_root eps E1) as [S1 S2]. set (s := sqrt eps) in *.
   destruct k0_value as [K1 K2]. destruct Series_value as [C1 C2].
@@ -78,15 +78,15 @@ Proof.
       rewrite sqrt_square; lra. }
     assert (s * sqrt (T n) <= s * 1.0015) by (apply Rmult_le_compat_l; lra). lra. }
   assert (Us : u n * eps <= 4.68 * (s * eps)) by (rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra).
-  assert (G7 : -0.1695 * eps - 1.17 * (s * eps) <= e - z <= -0.1615 * eps + 1.17 * (s * eps)) by lra.
+  assert (G7 : -0.1687 * eps - 1.17 * (s * eps) <= e - z <= -0.1627 * eps + 1.17 * (s * eps)) by lra.
   (* the steps *)
   assert (Hz : 0 <= z) by lra. assert (H0 : T' O = 1 + e) by (unfold T', e; rewrite Nat.sub_0_r; ring).
   assert (HS : forall j, (j < m)%nat -> T' (S j) = T' j + 1 + D' j) by (intros j _; unfold T', D'; ring).
   assert (Hi : forall j, (j < m)%nat -> (k <= n - S j < n)%nat /\ S (n - S j) = (n - j)%nat)
     by (unfold m; intros; lia).
   assert (HD : forall j, (j < m)%nat -> let d := difference (T' (S j)) in let g := 5 / (3 * PI) in
-    0 < D' j <= z * d^3 /\ z * (d^3 - scale eps * (g * d^2 + 0.24 * scale eps * d + 0.5 * d^4)) <= D' j /\
-    D' j <= z * (d^3 - scale eps * (g * d^2 - 0.31 * scale eps * d - 0.25 * d^4))).
+    0 < D' j <= z * d^3 /\ z * (d^3 - scale eps * (g * d^2 + 0.125 * scale eps * d + 0.45 * d^4)) <= D' j /\
+    D' j <= z * (d^3 - scale eps * (g * d^2 - 0.155 * scale eps * d - 0.43 * d^4))).
   { intros j Hj. destruct (Hi j Hj) as [I1 I2]. assert (B := F4 _ I1). rewrite I2 in B. exact B. }
   set (h := scale eps) in *. set (g := 5 / (3 * PI)) in *.
   assert (HD0 : forall j, (j < m)%nat -> 0 < D' j <= z * difference (T' (S j)) ^ 3)
@@ -185,7 +185,7 @@ Proof.
   rewrite ZG in B1, B2. rewrite LC, Lq. split; lra.
 Qed.
 Lemma both_halves : Rabs (delta N q - (law_constant * quarter q - log_constant * / sqrt q * ln q -
-  constant_of N * / sqrt q)) <= (0.11 + 2.6 * quarter q) * / sqrt q.
+  constant_of N * / sqrt q)) <= (0.072 + 2.6 * quarter q) * / sqrt q.
 Proof.
   destruct eps_small as [E1 [E2 E3]]. destruct layer_and_end as [k [z [S0 [Z [B L]]]]].
   destruct L46 as [start [-> H]]. fold eps. rewrite <- E3. set (s := sqrt eps) in *.
@@ -215,9 +215,9 @@ Proof.
   unfold law_with_logarithm. cbv zeta. rewrite quarter_square by lra.
   exact (both_halves N q Hc Hq n u al y Orb HL HB HE).
 Qed.
-(** kappa ln q + 0.606 + 2.6 s < c0 q^(1/4). *)
+(** kappa ln q + 0.57 + 2.6 s < c0 q^(1/4). *)
 Lemma A_positive q : 1000000 <= q ->
-  (log_constant * ln q + 0.606 + 2.6 * quarter q) * / sqrt q < law_constant * quarter q /\ quarter q <= 0.0318.
+  (log_constant * ln q + 0.57 + 2.6 * quarter q) * / sqrt q < law_constant * quarter q /\ quarter q <= 0.0318.
 Proof.
   intros Hq. assert (S : 1000 <= sqrt q) by (rewrite <- (sqrt_square 1000) by lra; apply sqrt_le_1; lra).
   set (w := sqrt (sqrt q)). assert (W : 31.5 <= w) by (rewrite <- (sqrt_square 31.5) by lra; apply sqrt_le_1; lra).
@@ -244,13 +244,13 @@ Proof.
   intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := enclosed N q HS HL HB HE HN Hc).
   split; [exact A|]. unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra.
   apply Rabs_le_between in A. destruct (A_positive q Hq) as [P Q].
-  assert (K : 0.378 <= constant_of N <= 0.496) by (unfold constant_of; destruct (Nat.even N); lra).
+  assert (K : 0.38 <= constant_of N <= 0.497) by (unfold constant_of; destruct (Nat.even N); lra).
   assert (I : 0 < / sqrt q) by (apply Rinv_0_lt_compat, sqrt_lt_R0; lra).
   assert (L : 0 <= ln q) by (rewrite <- ln_1; apply ln_le; lra).
   assert (G : 0 <= log_constant * / sqrt q * ln q).
   { assert (0 <= log_constant * / sqrt q) by (apply Rmult_le_pos; [destruct log_constant_value|]; lra).
     apply Rmult_le_pos; lra. }
-  assert (K1 : 0.378 * / sqrt q <= constant_of N * / sqrt q <= 0.496 * / sqrt q)
+  assert (K1 : 0.38 * / sqrt q <= constant_of N * / sqrt q <= 0.497 * / sqrt q)
     by (split; apply Rmult_le_compat_r; lra).
   assert (K2 : quarter q * / sqrt q <= 0.0318 * / sqrt q) by (apply Rmult_le_compat_r; lra). lra.
 Qed.

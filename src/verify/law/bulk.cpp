@@ -65,7 +65,7 @@ class BulkRule : Rule<N> {
     BulkRule(const Leaf& leaf, Log* log) : Base(leaf, log) {}
 
     const char* verdict() {
-        const I P = Clock<N>(quarter).P(Base::side(0), Q(), 12 * this->leaf_.states->parts);
+        const I P = Clock<N>(quarter).P(Base::side(0), Q(), 24 * this->leaf_.states->parts);
         // All eps, in as many parts.
         constexpr int parts = 4;
         const I all = Base::between(this->leaf_.states->least_eps, this->leaf_.states->most_eps);
@@ -83,9 +83,9 @@ class BulkRule : Rule<N> {
         const I th = Base::side(0), x = square(th), x2 = square(x), x4 = square(x2);
         const I p = fraction<N>(94, 100) * x - fraction<N>(1035, 1000) * x2 + fraction<N>(2107, 1000) * x4 -
                     fraction<N>(1, 3);
-        const I slack = fraction<N>(7, 1000) + fraction<N>(11, 10) * I(x4.lo);
+        const I slack = fraction<N>(6, 1000) + fraction<N>(3, 4) * I(x4.lo);
         return fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
-               within("|D/((eps/2) (alpha' - alpha)) - p(th)| <= 0.007 + 1.1 th^8", M, p - slack,
+               within("|D/((eps/2) (alpha' - alpha)) - p(th)| <= 0.006 + 0.75 th^8", M, p - slack,
                       p + slack) &&
                less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
                     fraction<N>(most_fall.at(this->leaf_.range), 10), false);

@@ -61,10 +61,10 @@ class EndRule : Rule<N> {
         const I turn = -(square_root(square_root(I(3))) * (I(16) * q + I(7)) /
                          (I(36) * Base::half_turn * square_root(Base::half_turn)));
         const I surplus = (turn + d_ * share.bend) / square_root(along_.values(end.epsh));
-        const I slack = fraction<N>(4, 1000) + fraction<N>(1, 2) * I(d_.lo);
+        const I slack = fraction<N>(3, 1000) + fraction<N>(1, 2) * I(d_.lo);
         return within("e_end/sqrt(eps) = k0 at d = 0", k0, I(share.zero.lo), I(share.zero.hi)) &&
-               within("|(e_end - k0 sqrt(eps))/eps + 0.1655| <= 0.004 + 0.5 d", surplus,
-                      fraction<N>(-331, 2000) - slack, fraction<N>(-331, 2000) + slack);
+               within("|(e_end - k0 sqrt(eps))/eps + 0.1657| <= 0.003 + 0.5 d", surplus,
+                      fraction<N>(-1657, 10000) - slack, fraction<N>(-1657, 10000) + slack);
     }
 
     /// (Q - pi/2)/d, to begin with (L53).

@@ -111,8 +111,8 @@ class LayerRule : Rule<N> {
         };
         return within("D/D0(T) = 1 at U = 0", 1, I(ratio.zero.lo), I(ratio.zero.hi)) &&
                within("its derivative there, less that of L57, is 0", 0, I(slope.lo), I(slope.hi)) &&
-               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too small", {-31, 100}, {-1, 4}, 1) &&
-               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too large", {6, 25}, {1, 2}, -1) &&
+               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too small", {-31, 200}, {-43, 100}, 1) &&
+               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too large", {1, 8}, {9, 20}, -1) &&
                less("a/(2 ehat^2) <= 15.9", drift, fraction<N>(159, 10), false);
     }
 

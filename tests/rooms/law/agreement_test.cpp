@@ -45,7 +45,7 @@ constexpr double C = 0.88559512945271391, c0 = 0.20581158954949560, kappa = 0.02
 Rational edge(long n, bool upper, double past) {
     long double root = static_cast<long double>(n) / C;
     for (int i = 0; i < 50; ++i) {
-        const long double slack = 0.11L + 2.6L / std::sqrt(root), after = n % 2 == 0 ? 0.496L : 0.378L;
+        const long double slack = 0.072L + 2.6L / std::sqrt(root), after = n % 2 == 0 ? 0.497L : 0.38L;
         const long double less = 2 * kappa * std::log(root) + after + (upper ? -slack : slack);
         root = (static_cast<long double>(n - 2) + c0 / std::sqrt(root) - less / root + past) / C;
     }
