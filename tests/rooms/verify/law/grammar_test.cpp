@@ -97,10 +97,8 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
         INFO(from << " -> " << to);
         CHECK(law_mutant(from, to) == code);
     }
-    for (const auto& [from, to, code] : {std::tuple{"bulk 6000 1000 2000", "bulk 6000 1000 100001", "number"},
-                                         {"bulk 6000 1000 2000", "bulk 6000 1000 200", "bulk"},
+    for (const auto& [from, to, code] : {std::tuple{"bulk 6000 1000 2000", "bulk 6000 1000 200", "bulk"},
                                          {"bulk 6000 1000 2000", "bulk 0 1000 2000", "number"},
-                                         {"bulk 6000 1000 2000", "bulk 1 1000 2000", "bulk"},
                                          {"cover end 1500", "cover end 100001", "number"},
                                          {"cover end 1500", "cover end 20", "end"}}) {
         INFO(from << " -> " << to);
