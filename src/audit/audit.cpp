@@ -30,11 +30,11 @@ std::string shown(const Rational& x) {
 /// `leaf 7 (e 1/2..1/1, eta 0/1..4/1, q 10/1..10/1)`
 std::string leaf_text(const Boxes& boxes, Chart chart, std::size_t index) {
     std::string ranges;
-    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
-        if (chart == Chart::wedge && axis == Axis::position) {
-            continue;
-        }
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
         const auto number = static_cast<std::size_t>(axis);
+        if (boxes.hi(boxes.root, number) == 0) {
+            continue;  // the chart wedge has no position, only bodies have a rho
+        }
         ranges += fmt::format("{}{} {}..{}", ranges.empty() ? "" : ", ", axis_name(chart, axis),
                               shown(boxes.lo(boxes.leaves[index], number)),
                               shown(boxes.hi(boxes.leaves[index], number)));
@@ -94,6 +94,7 @@ class Auditor {
   public:
     Auditor(const Certificate& certificate, Observer& observer)
         : observer_(observer),
+          heights_(certificate.heights),
           total_(leaves_of(certificate)),
           needed_(collisions::row_of(certificate.scene).charts(certificate.section)) {}
 
@@ -128,7 +129,7 @@ class Auditor {
         ++result.charts;
         const std::string where = fmt::format(", chart {}", name(tree.chart));
         try {
-            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree);
+            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree, heights_);
             const std::size_t before = result.leaves;
             const Tiling tiling = check_tiling(boxes, [&](double done) {
                 show(before + static_cast<std::size_t>(done * static_cast<double>(boxes.leaves.size())));
@@ -155,6 +156,7 @@ class Auditor {
     }
 
     Observer& observer_;
+    std::optional<collisions::Heights> heights_;
     std::size_t total_;
     std::vector<Chart> needed_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,8 +37,9 @@ enum class Section { turning, full, plain };
 enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, corner };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
-/// light) and the mass ratio q.
-enum class Axis : std::uint8_t { position, slope, ratio };
+/// light), the mass ratio q, and rho of bodies.
+enum class Axis : std::uint8_t { position, slope, ratio, rho };
+inline constexpr std::size_t axis_count = 4;
 
 /// The one reason for which a leaf's states need no further look (format.md, sections 3.3 and 3.4).
 enum class Reason : std::uint8_t { count, outside, meets, meets_reversed, once };

@@ -78,9 +78,14 @@ Axis longest_side(Chart chart, const Box& box) {
     const double position_weight = chart == Chart::light ? approximate(box.q_hi) : 1;
     const double position = width(box.e_lo, box.e_hi) * position_weight;
     const double slope = width(box.slope_lo, box.slope_hi);
+    const double rho = width(box.rho_lo, box.rho_hi) / 2;
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
-    // evaluation takes 3 to 6 times as many boxes with equal weights.
-    const double ratio = width(box.q_lo, box.q_hi) / (8 * approximate(box.q_lo));
+    // evaluation takes 3 to 6 times as many boxes with equal weights, and with a range of rho, on which the
+    // height of the bridge depends, 2 times as many with a weight of 1/16 as with 1/64.
+    const double ratio = width(box.q_lo, box.q_hi) / ((rho > 0 ? 64 : 8) * approximate(box.q_lo));
+    if (rho > std::max({position, slope, ratio})) {
+        return Axis::rho;
+    }
     if (depends_on_both_ratios(chart) && ratio > std::max(position, slope)) {
         return Axis::ratio;
     }
@@ -123,12 +128,11 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
     Box root = root_box(chart, q_lo, q_hi);
-    std::optional<BoxHeights> heights;
     if (options.heights) {
-        const auto& [lo, hi] = *options.heights;
-        root.heights = &heights.emplace(BoxHeights{lo, hi, lo * q_lo == 1 && hi * q_hi == 1});
+        root.rho_lo = options.heights->lo;
+        root.rho_hi = options.heights->hi;
     }
-    GrowingTree<Node, Box, 3> tree(std::move(root), boxes_in_memory);
+    GrowingTree<Node, Box, axis_count> tree(std::move(root), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {
         const std::vector<Box>& boxes = tree.boxes();
         std::vector<std::optional<Leaf>> results(boxes.size());

@@ -14,14 +14,18 @@ struct Bounds {
     flight::Body<I> body;
 };
 
+/// One body, with Q rho = 1 (L75).
+bool is_massless(const Box& box) {
+    return Rational(box.rho_lo) * Rational(box.q_lo) == 1 && Rational(box.rho_hi) * Rational(box.q_hi) == 1;
+}
+
 template <class I>
 flight::Body<I> body_of(const Box& box) {
     const I r = hull(box.q_hi.inverse<I>(), box.q_lo.inverse<I>());
-    if (!box.heights) {
+    if (approximate(box.rho_hi) == 0) {
         return r;
     }
-    const auto& [lo, hi, is_massless] = *box.heights;
-    return {hull(lo.enclosure<I>(), hi.enclosure<I>()), r, is_massless};
+    return {hull(box.rho_lo.enclosure<I>(), box.rho_hi.enclosure<I>()), r, is_massless(box)};
 }
 
 template <class I>

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/error.hpp"
+#include "collisions/names.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -23,6 +24,8 @@ std::size_t index_of(Axis axis) {
             return 1;
         case Axis::ratio:
             return 2;
+        case Axis::rho:
+            return 3;
     }
     throw BrokenInvariant("unknown axis");
 }
@@ -86,14 +89,18 @@ BoxEnds Boxes::box(const std::array<Rational, axis_count>& lo, const std::array<
     return ends;
 }
 
-Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
+Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi,
+              const std::optional<Heights>& heights) {
+    const auto [rho_lo, rho_hi] = heights.value_or(Heights{});
     Boxes boxes;
-    boxes.root = boxes.box({0, 0, q_lo}, {greatest_position(chart), greatest_slope(chart, q_hi), q_hi});
+    boxes.root = boxes.box({0, 0, q_lo, rho_lo},
+                           {greatest_position(chart), greatest_slope(chart, q_hi), q_hi, rho_hi});
     return boxes;
 }
 
-Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
-    Boxes boxes = root_of(chart, q_lo, q_hi);
+Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
+                 const std::optional<Heights>& heights) {
+    Boxes boxes = root_of(chart, q_lo, q_hi, heights);
     std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
     for (const Node& node : tree) {
         if (waiting.empty()) {
@@ -106,8 +113,9 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
             continue;
         }
         const std::size_t axis = index_of(*node.split);
-        if (chart == Chart::wedge && axis == 0) {
-            throw InputError("the chart wedge has no position to split");
+        if (boxes.hi(boxes.root, axis) == 0) {
+            throw InputError(fmt::format("the chart {} has no {} to split", name(chart),
+                                         *node.split == Axis::rho ? "rho" : "position"));
         }
         if (++splits[axis] > most_splits) {
             throw InputError(

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "collisions/certificate.hpp"
@@ -11,11 +12,8 @@
 /// format-sections.md alone, for pictures and the audit: nothing here is shared with section.hpp.
 namespace dumbbell::collisions {
 
-/// position, slope, ratio: in the order of Axis.
-inline constexpr std::size_t axis_count = 3;
-
-/// A closed box: for each axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
-/// tree of n leaves has about n numbers, not 6 n.
+/// A closed box: for each Axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
+/// tree of n leaves has about n numbers, not 8 n.
 struct BoxEnds {
     std::array<std::uint32_t, axis_count> lo{};
     std::array<std::uint32_t, axis_count> hi{};
@@ -40,12 +38,14 @@ struct Boxes {
 };
 
 /// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
-/// position: [0, 0].
-[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
+/// position: [0, 0]. What is no body has no rho: [0, 0].
+[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi,
+                            const std::optional<Heights>& heights = {});
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
-/// Throws InputError if nodes follow its end, if the chart wedge splits a position, or if an axis is split
-/// more than 400 times above a node (format.md).
-[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
+/// Throws InputError if nodes follow its end, if an axis that is not there is split, or if one is split more
+/// than 400 times above a node (format.md).
+[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
+                               const std::optional<Heights>& heights = {});
 
 }  // namespace dumbbell::collisions

@@ -104,12 +104,22 @@ struct ChartNames {
 
 [[nodiscard]] constexpr std::string_view axis_name(Chart chart, Axis axis) {
     const ChartNames names = names_of(chart);
-    return axis == Axis::position ? names.position : axis == Axis::slope ? names.slope : "q";
+    switch (axis) {
+        case Axis::position:
+            return names.position;
+        case Axis::slope:
+            return names.slope;
+        case Axis::ratio:
+            return "q";
+        case Axis::rho:
+            return "rho";
+    }
+    return {};
 }
 
 /// The other way round; nothing for an unknown word.
 [[nodiscard]] constexpr std::optional<Axis> axis_named(Chart chart, std::string_view word) {
-    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
         if (word == axis_name(chart, axis)) {
             return axis;
         }

@@ -50,6 +50,8 @@ std::pair<Box, Box> halves(const Box& box, Axis axis) {
             return cut(box, &Box::e_lo, &Box::e_hi);
         case Axis::slope:
             return cut(box, &Box::slope_lo, &Box::slope_hi);
+        case Axis::rho:
+            return cut(box, &Box::rho_lo, &Box::rho_hi);
         default:
             return cut(box, &Box::q_lo, &Box::q_hi);
     }

@@ -7,19 +7,13 @@
 
 namespace dumbbell::collisions {
 
-/// The heights rho of all bodies of a cover; massless if Q rho = 1 for every one (L75).
-struct BoxHeights {
-    Coordinate lo, hi;
-    bool is_massless;
-};
-
 /// A box of states, exact: corner distance e, slope coordinate (eta in the chart bridge, lambda in the chart
-/// light), mass ratio; of bodies also all their heights.
+/// light), mass ratio; of bodies also rho, which is 0 for others.
 struct Box {
     Coordinate e_lo, e_hi;
     Coordinate slope_lo, slope_hi;
     Coordinate q_lo, q_hi;
-    const BoxHeights* heights = nullptr;
+    Coordinate rho_lo = 0, rho_hi = 0;
 };
 
 /// The root box of a chart over mass ratios [q_lo, q_hi] (format.md): short dyadics that contain the

@@ -22,7 +22,7 @@ using collisions::Piece;
 
 namespace {
 
-constexpr std::array all_axes{collisions::Axis::position, collisions::Axis::slope, collisions::Axis::ratio};
+using collisions::Axis;
 
 /// What a reason other than a count says of the states in its box.
 std::string_view about(collisions::Reason reason) {
@@ -107,11 +107,15 @@ class Kinds {
     std::map<collisions::Reason, long> leaves_;
 };
 
-Json axes_json(collisions::Chart chart, const Piece& piece) {
-    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi);
+Json axes_json(collisions::Chart chart, const Piece& piece,
+               const std::optional<collisions::Heights>& heights) {
+    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi, heights);
     Json axes = Json::array();
-    for (const collisions::Axis axis : all_axes) {
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
         const auto number = static_cast<std::size_t>(axis);
+        if (axis == Axis::rho && !heights) {
+            continue;
+        }
         axes.add(Json::object({{"name", axis_name(chart, axis)},
                                {"lo", to_fraction(root.lo(root.root, number))},
                                {"hi", to_fraction(root.hi(root.root, number))}}));
@@ -119,7 +123,8 @@ Json axes_json(collisions::Chart chart, const Piece& piece) {
     return axes;
 }
 
-Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Kinds& kinds,
+Json chart_json(const collisions::ChartTree& chart, const Piece& piece,
+                const std::optional<collisions::Heights>& heights, const Kinds& kinds,
                 const BoxBudget& budget) {
     PictureTree tree;
     tree.reserve(chart.tree.size());
@@ -129,7 +134,7 @@ Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Ki
     }
     Json json = tree_json(tree, budget);
     json.add("chart", name(chart.chart));
-    json.add("axes", axes_json(chart.chart, piece));
+    json.add("axes", axes_json(chart.chart, piece, heights));
     return json;
 }
 
@@ -158,7 +163,7 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
                            piece.q_hi <= flight::paper_bound_limit();
     Json trees = Json::array();
     for (const collisions::ChartTree& chart : piece.cover.charts) {
-        trees.add(chart_json(chart, piece, kinds, budget));
+        trees.add(chart_json(chart, piece, certificate.heights, kinds, budget));
     }
     return Json::object(
         {{"lo", to_fraction(piece.q_lo)},

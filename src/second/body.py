@@ -148,14 +148,15 @@ def corner_has(count, rho, q):
 class Bodies:
     """The section, for all bodies with rho in [R0, R1]."""
 
-    CHARTS = {"contact": ("t", "eta", "q"), "departure": ("e", "eta", "q")}
+    CHARTS = {"contact": ("t", "eta", "q", "rho"), "departure": ("e", "eta", "q", "rho")}
     LEAVES = {"contact": {"count": 1, "outside": 0}, "departure": {"count": 1, "outside": 0}}
-    root = staticmethod(root)
-
     def __init__(self, rho):
         self.rho = rho
         self.COVERS = {"symmetric": self.symmetric}
         self.WITNESSES = {"bridge": self.from_bridge, "corner": self.in_corner}
+
+    def root(self, chart, b):
+        return {**root(chart, b), "rho": self.rho}
 
     def symmetric(self, a, b, upper):
         return self.rho == (1, 1) and not corner_has(upper + 1, self.rho[1], b)
@@ -166,10 +167,10 @@ class Bodies:
         if chart == "contact":
             t0, t1 = box["t"]
             if op == "outside":
-                return interval(t0) > pi() or self.rho[0] * (eta0 - 1) >= 1
+                return interval(t0) > pi() or box["rho"][0] * (eta0 - 1) >= 1
             t = span(interval(t0), least(t1, pi()))
             sine, cosine = sin_cos(t)
-            body = Body(box["q"], self.rho)
+            body = Body(box["q"], box["rho"])
             ray = Flight(body.rho * (cosine + eta), body.rho * (sine + (cosine + eta) * (pi() - t)))
             return body.at_most(ray, hints[0], body.massless)
         e0, e1 = box["e"]
@@ -177,7 +178,7 @@ class Bodies:
             return interval(e0) > half_pi() or eta0 - sin_cos(interval(e0))[1] >= 1
         e = span(interval(e0), least(e1, half_pi()))
         sine, cosine = sin_cos(e)
-        return Body(box["q"], self.rho).at_most(Flight(eta - cosine, None, e, sine), hints[0], False)
+        return Body(box["q"], box["rho"]).at_most(Flight(eta - cosine, None, e, sine), hints[0], False)
 
     def from_bridge(self, values, q_lo, q_hi):
         exact_e, exact_eta, a, b = values

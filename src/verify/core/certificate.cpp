@@ -83,6 +83,7 @@ class CollisionsReader : public Reader<Leaf> {
             const auto& [lowest, greatest] = *(claim_.rho = {text_.ratio(1), text_.ratio(2)});
             if (lowest > greatest || greatest > 1 || claim_.lo * lowest < 1)
                 text_.reject("number", "not R0 <= R1 <= 1 <= LO R0");
+            proofs_.rho = *claim_.rho;
         }
         text_.expect("pieces", 1);
         const std::uint64_t k = text_.natural(1);
@@ -97,7 +98,6 @@ class CollisionsReader : public Reader<Leaf> {
         if (a != end_ || a > b) text_.reject("chain", "a piece must begin where the one before ended");
         end_ = b;
         read_bits(leaf);
-        leaf.rho = claim_.rho;
         text_.expect("upper", 1);
         std::optional<mpz_class> upper;
         if (text_.fields[1] != "none") {
@@ -123,7 +123,7 @@ class CollisionsReader : public Reader<Leaf> {
     }
 
     const Section& section_;
-    const Proofs proofs_;
+    Proofs proofs_;
     Collisions& claim_ = proof_.claim;
     mpq_class end_;  ///< of the pieces so far
 };

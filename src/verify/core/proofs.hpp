@@ -16,6 +16,7 @@ struct Proofs {
     const Section& section;
     std::vector<Tally>& tallies;  ///< the first are those of add_tallies()
     std::function<void(Leaf, const std::string& path)> take;
+    Range rho{};  ///< of bodies
 
     void add_tallies() const {
         tallies.push_back({"split"});
@@ -26,6 +27,7 @@ struct Proofs {
     void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) const {
         for (std::size_t i = 0; i < section.charts.size(); ++i) {
             leaf.box = section.root(i, a, b);
+            std::tie(leaf.box.lo[3], leaf.box.hi[3]) = rho;
             text.next();
             if (i == 0 && text.fields[0] != "chart")
                 return found(leaf, Place::cover, 1, static_cast<double>(section.charts.size()), "cover");
@@ -41,7 +43,7 @@ struct Proofs {
     void witness(Leaf leaf, const mpq_class& a, const mpq_class& b) const {
         text.expect("witness", 5);
         const mpq_class e = text.dyadic(2), y = text.dyadic(3);
-        leaf.box = {{e, y, a}, {e, y, b}};
+        leaf.box = {{e, y, a, rho.first}, {e, y, b, rho.second}};
         leaf.chart = text.fields[1] == section.other_witness ? 1 : 0;
         found(leaf, Place::witness, 4, 0, "witness");
     }

@@ -8,13 +8,13 @@ namespace dumbbell_verify {
 
 class Log;
 
-/// An exact box; the last axis is the mass ratio q = heavy / light >= 1.
+/// An exact box; the third axis is the mass ratio q = heavy / light >= 1, the last one rho of a body.
 struct Box {
-    std::array<mpq_class, 3> lo, hi;
+    std::array<mpq_class, 4> lo, hi;
 };
 
-/// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]).
-/// A chart with a single axis besides q has it in place 1.
+/// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]
+/// and [R0, R1]). A chart with a single axis besides q has it in place 1.
 struct Leaf {
     std::size_t chart = 0, opcode = 0;
     mpz_class a = 0, b = 0, claimed = 0;  ///< two hints; U of the piece, for a witness V
@@ -22,7 +22,6 @@ struct Leaf {
     unsigned bits = 53;  ///< working precision; double is tried first unless `multiple`
     bool multiple = false;
     Box box;
-    std::optional<Range> rho;  ///< of a body
 };
 
 enum class Place { leaf, cover, witness };
@@ -37,7 +36,7 @@ enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
 
 struct Chart {
     std::string_view name;
-    std::array<std::string_view, 3> axes;  ///< an empty name: no such axis
+    std::vector<std::string_view> axes;  ///< an empty name: no such axis
 };
 
 /// A section of one scene with one set of lemmas, with its opcodes in the order of the trailer. `check`

@@ -55,7 +55,8 @@ struct Tree {
             if (text.fields[0] == "split")
                 halve(axis());
             else {
-                text.budget.take(Work::of_box(box.lo, box.hi, depth), text.line);
+                const auto used = [&](Work::Ends ends) { return ends.first(axes.size()); };
+                text.budget.take(Work::of_box(used(box.lo), used(box.hi), depth), text.line);
                 leaf();
                 leave();
             }

@@ -101,7 +101,7 @@ const char* check_corner(const Leaf& leaf, Log* log) {
         if (log) log->fact(what, holds);
         return holds;
     };
-    const auto& [lowest, greatest] = *leaf.rho;
+    const mpq_class &lowest = leaf.box.lo[3], &greatest = leaf.box.hi[3];
     if (leaf.opcode == symmetric)
         fact("R0 = R1 = 1", lowest == 1 && greatest == 1) &&
             fact("ceil(pi/corner) <= U", !corner_has(leaf.claimed + 1, greatest, leaf.box.hi[2]));
@@ -121,22 +121,23 @@ const char* check_body(const Leaf& leaf, Log* log) {
 }  // namespace
 
 const Section& body() {
-    static const Section section = {"body",
-                                    "body",
-                                    "full",
-                                    "bridge",
-                                    {{"contact", {"t", "eta", "q"}}, {"departure", {"e", "eta", "q"}}},
-                                    {{"count", Place::leaf, 3, 1},
-                                     {"outside", Place::leaf, 3, 0},
-                                     {"meets", Place::leaf, 0, 0},
-                                     {"meets-reversed", Place::leaf, 0, 0},
-                                     {"equal-masses", Place::cover, 0, 0},
-                                     {"witness", Place::witness, 3, 2},
-                                     {"symmetric", Place::cover, 1, 0}},
-                                    full_root,
-                                    check_body,
-                                    false,
-                                    "corner"};
+    static const Section section = {
+        "body",
+        "body",
+        "full",
+        "bridge",
+        {{"contact", {"t", "eta", "q", "rho"}}, {"departure", {"e", "eta", "q", "rho"}}},
+        {{"count", Place::leaf, 3, 1},
+         {"outside", Place::leaf, 3, 0},
+         {"meets", Place::leaf, 0, 0},
+         {"meets-reversed", Place::leaf, 0, 0},
+         {"equal-masses", Place::cover, 0, 0},
+         {"witness", Place::witness, 3, 2},
+         {"symmetric", Place::cover, 1, 0}},
+        full_root,
+        check_body,
+        false,
+        "corner"};
     return section;
 }
 

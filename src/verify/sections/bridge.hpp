@@ -130,15 +130,16 @@ class Bridge : protected Rays<N> {
     const N x0 = bound(down, leaf_.box.lo[0], zero), x1 = bound(up, leaf_.box.hi[0], zero);
     const N y0 = bound(down, leaf_.box.lo[1], zero), y1 = bound(up, leaf_.box.hi[1], zero);
     const N r_lo = bound(down, 1 / leaf_.box.hi[2], zero), r_hi = bound(up, 1 / leaf_.box.lo[2], zero);
-    const N rho_lo = leaf_.rho ? bound(down, leaf_.rho->first, zero) : r_lo;
-    const N rho_hi = leaf_.rho ? bound(up, leaf_.rho->second, zero) : r_hi;
+    const bool is_body_ = leaf_.box.lo[3] > 0;
+    const N rho_lo = is_body_ ? bound(down, leaf_.box.lo[3], zero) : r_lo;
+    const N rho_hi = is_body_ ? bound(up, leaf_.box.hi[3], zero) : r_hi;
 
     /// What the sections demand of `outside`, in the charts contact and departure.
     bool is_outside(bool contact) {
         if (contact)
             return less("pi < t0", half_turn, x0) ||
                    fact("1 <= rho_lo (eta0 - 1), exactly",
-                        (leaf_.rho ? leaf_.rho->first : 1 / leaf_.box.hi[2]) * (leaf_.box.lo[1] - 1) >= 1);
+                        (is_body_ ? leaf_.box.lo[3] : 1 / leaf_.box.hi[2]) * (leaf_.box.lo[1] - 1) >= 1);
         return less("pi/2 < e0", quarter, x0) ||
                less("1 <= eta0 - cos e0", one, y0 - I(sin_cos(x0).cos), false);
     }

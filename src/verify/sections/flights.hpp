@@ -15,7 +15,7 @@ class Flights : protected Bridge<N> {
   protected:
     using Base = Bridge<N>;
     using Base::fact, Base::trig, Base::half_turn, Base::quarter, Base::one, Base::zero, Base::leaf_;
-    using Base::x0, Base::x1, Base::y0, Base::y1, Base::r_lo, Base::r_hi;
+    using Base::x0, Base::x1, Base::y0, Base::y1, Base::r_lo, Base::r_hi, Base::is_body_;
     using typename Base::I, typename Base::Ray, typename Base::Contact;
 
     using Base::Base;
@@ -194,13 +194,13 @@ class Flights : protected Bridge<N> {
         return best;
     }
 
-    const I g = leaf_.rho ? I(bound(down, 1 / (leaf_.box.hi[2] * leaf_.rho->second), zero),
-                              bound(up, 1 / (leaf_.box.lo[2] * leaf_.rho->first), zero))
-                          : I(1);
+    const I g = is_body_ ? I(bound(down, 1 / (leaf_.box.hi[2] * leaf_.box.hi[3]), zero),
+                             bound(up, 1 / (leaf_.box.lo[2] * leaf_.box.lo[3]), zero))
+                         : I(1);
     /// L6 (c), L75: behind the bridge it is out of reach.
     const bool clear_ =
-        !leaf_.rho || (leaf_.box.lo[2] == leaf_.box.hi[2] && leaf_.rho->first == leaf_.rho->second &&
-                       leaf_.box.lo[2] * leaf_.rho->first == 1);
+        !is_body_ || (leaf_.box.lo[2] == leaf_.box.hi[2] && leaf_.box.lo[3] == leaf_.box.hi[3] &&
+                      leaf_.box.lo[2] * leaf_.box.lo[3] == 1);
 };
 
 }  // namespace dumbbell_verify

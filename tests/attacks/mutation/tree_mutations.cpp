@@ -8,7 +8,8 @@ namespace dumbbell_mutation {
 namespace {
 
 /// The axes of all trees but those about the adiabatic invariant, and of these.
-constexpr std::string_view axes[] = {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot", "s"};
+constexpr std::string_view axes[] = {"e",   "eta",    "lambda", "t",    "q", "rho",
+                                     "phi", "phidot", "y",      "ydot", "s"};
 constexpr std::string_view adiabatic_axes[] = {"u", "s", "v", "delta", "sigma", "q"};
 
 class Trees {

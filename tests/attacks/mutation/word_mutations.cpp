@@ -109,7 +109,7 @@ constexpr std::string_view classes[][11] = {
     {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
      "adiabatic-scattering"},
     {"bridge", "light", "contact", "departure", "again", "wedge"},
-    {"e", "eta", "lambda", "t", "q", "phi", "phidot", "y", "ydot", "s"},
+    {"e", "eta", "lambda", "t", "q", "rho", "phi", "phidot", "y", "ydot", "s"},
     {"u", "s", "v", "delta", "sigma", "q"},
     {"bound", "outside", "split", "attained", "cell", "end"},
     {"light", "heavy"},

@@ -1,4 +1,6 @@
 // Bodies with mass between their contacts (body.md): what is proved of them.
+#include <algorithm>
+
 #include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/writer.hpp"
@@ -90,6 +92,19 @@ TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
     CHECK(undecided_share(pieces) < Rational(1, 100'000));
     for (const auto& p : pieces) {
         CHECK(p.piece.status() != Status::open);
+    }
+}
+
+TEST_CASE("A rectangle of bodies is one piece, halved along rho, too") {
+    auto request = of_body(Rational(1, 2), Rational(5, 2), Rational(13, 5));
+    request.heights->hi = Rational(501, 1000);
+    const auto pieces = certify(request);
+    REQUIRE(pieces.size() == 1);
+    CHECK(maximum(pieces.front().piece) == 3);
+    const Tree& tree = pieces.front().piece.cover.charts.at(1).tree;
+    CHECK(std::ranges::any_of(tree, [](const Node& node) { return node.split == Axis::rho; }));
+    for (const auto& part : proved(Rational(1, 2), Rational(5, 2)).cover.charts) {
+        CHECK(std::ranges::none_of(part.tree, [](const Node& node) { return node.split == Axis::rho; }));
     }
 }
 

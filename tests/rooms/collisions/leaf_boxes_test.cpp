@@ -29,6 +29,26 @@ void check_same(const Boxes& boxes, const BoxEnds& ends, const Box& box) {
     CHECK(boxes.hi(ends, 1) == Rational(box.slope_hi));
     CHECK(boxes.lo(ends, 2) == Rational(box.q_lo));
     CHECK(boxes.hi(ends, 2) == Rational(box.q_hi));
+    CHECK(boxes.lo(ends, 3) == Rational(box.rho_lo));
+    CHECK(boxes.hi(ends, 3) == Rational(box.rho_hi));
+}
+
+/// Are the leaf boxes of a random tree the prover's?
+void check_leaves(Chart chart, const std::vector<Axis>& axes, const std::optional<Heights>& heights) {
+    const Tree tree = random_tree(60, axes, 5);
+    const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree, heights);
+    Box root = root_box(chart, Rational(10, 3), Rational(31, 7));
+    if (heights) {
+        root.rho_lo = heights->lo;
+        root.rho_hi = heights->hi;
+    }
+    std::vector<Box> expected;
+    std::size_t next = 0;
+    prover_boxes(tree, next, root, expected);
+    REQUIRE(boxes.leaves.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        check_same(boxes, boxes.leaves[i], expected[i]);
+    }
 }
 
 constexpr auto root_charts = {Chart::bridge,        Chart::light,           Chart::contact, Chart::departure,
@@ -49,15 +69,10 @@ TEST_CASE("the root boxes are the prover's") {
 
 TEST_CASE("the leaf boxes are the prover's") {
     for (const Chart chart : root_charts) {
-        const Tree tree = random_tree(60, chart == Chart::wedge ? wedge_axes : all_axes, 5);
-        const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree);
-        std::vector<Box> expected;
-        std::size_t next = 0;
-        prover_boxes(tree, next, root_box(chart, Rational(10, 3), Rational(31, 7)), expected);
-        REQUIRE(boxes.leaves.size() == expected.size());
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-            check_same(boxes, boxes.leaves[i], expected[i]);
-        }
+        check_leaves(chart, chart == Chart::wedge ? wedge_axes : all_axes, {});
+    }
+    for (const Chart chart : {Chart::plain_contact, Chart::plain_departure}) {
+        check_leaves(chart, body_axes, Heights{Rational(3, 10), Rational(5, 7)});
     }
 }
 
@@ -78,6 +93,7 @@ TEST_CASE("an axis is split at most 400 times above a node, however many leaves 
     }
 }
 
-TEST_CASE("the chart wedge has no position") {
+TEST_CASE("the chart wedge has no position, and only bodies have a rho") {
+    CHECK_THROWS_AS(leaf_boxes(Chart::plain_contact, 2, 2, {split(Axis::rho), leaf(), leaf()}), InputError);
     CHECK_THROWS_AS(leaf_boxes(Chart::wedge, 2, 2, {split(Axis::position), leaf(), leaf()}), InputError);
 }

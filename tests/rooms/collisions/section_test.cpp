@@ -30,8 +30,10 @@ TEST_CASE("the root's slopes end at the least power of two that reaches the grea
 }
 
 TEST_CASE("halves share their exact midpoint and nothing else, down to 400 splits") {
-    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio}) {
+    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
         Box box = root_box(Chart::light, parse_rational("10/3"), parse_rational("7"));
+        box.rho_lo = parse_rational("1/3");
+        box.rho_hi = parse_rational("2/5");
         for (int depth = 0; depth < 400; ++depth) {
             const std::pair<Box, Box> both = halves(box, axis);
             const auto spans = [&](Coordinate Box::*lo, Coordinate Box::*hi, Axis which) {
@@ -51,6 +53,7 @@ TEST_CASE("halves share their exact midpoint and nothing else, down to 400 split
             spans(&Box::e_lo, &Box::e_hi, Axis::position);
             spans(&Box::slope_lo, &Box::slope_hi, Axis::slope);
             spans(&Box::q_lo, &Box::q_hi, Axis::ratio);
+            spans(&Box::rho_lo, &Box::rho_hi, Axis::rho);
             box = depth % 3 == 0 ? both.second : both.first;
         }
     }

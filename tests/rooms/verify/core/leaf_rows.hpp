@@ -56,8 +56,8 @@ inline unsigned bits_of(const auto& leaf) { return leaf.multiple ? leaf.bits : 0
 
 inline std::string words(const AnyLeaf& any) {
     std::ostringstream out;
-    const auto box = [&](const auto& sides) {
-        for (std::size_t i = 0; i < sides.lo.size(); ++i)
+    const auto box = [&](const auto& sides, std::size_t axes) {
+        for (std::size_t i = 0; i < axes; ++i)
             out << " " << sides.lo[i].get_str() << " " << sides.hi[i].get_str();
     };
     if (const auto* one = std::get_if<SectionLeaf>(&any)) {
@@ -66,10 +66,10 @@ inline std::string words(const AnyLeaf& any) {
             << section->charts[leaf.chart].name << " " << section->opcodes[leaf.opcode].name << " "
             << bits_of(leaf) << " " << leaf.a.get_str() << " " << leaf.b.get_str() << " "
             << leaf.claimed.get_str();
-        box(leaf.box);
+        box(leaf.box, section->charts[leaf.chart].axes.size());
     } else if (const auto* start = std::get_if<Start>(&any)) {
         out << "start";
-        box(start->box);
+        box(start->box, start->box.lo.size());
     } else {
         const auto& leaf = std::get<starts::Leaf>(any);
         out << "initial " << bits_of(leaf) << " " << leaf.least << " " << leaf.most;
@@ -78,7 +78,7 @@ inline std::string words(const AnyLeaf& any) {
                 << leaf.first->until.get_str();
         else
             out << " anywhere 0 0";
-        box(leaf.box);
+        box(leaf.box, leaf.box.lo.size());
     }
     return out.str();
 }
@@ -91,8 +91,8 @@ inline AnyLeaf parsed(const std::string& text) {
         return w;
     };
     const auto number = [&] { return std::stoull(word()); };
-    const auto box = [&](auto& sides) {
-        for (std::size_t i = 0; i < sides.lo.size(); ++i) {
+    const auto box = [&](auto& sides, std::size_t axes) {
+        for (std::size_t i = 0; i < axes; ++i) {
             sides.lo[i] = mpq_class(word());
             sides.hi[i] = mpq_class(word());
         }
@@ -106,7 +106,7 @@ inline AnyLeaf parsed(const std::string& text) {
     const std::string first = word();
     if (first == "start") {
         Start start;
-        box(start.box);
+        box(start.box, start.box.lo.size());
         return start;
     }
     if (first == "initial") {
@@ -118,7 +118,7 @@ inline AnyLeaf parsed(const std::string& text) {
         const mpq_class from(word()), until(word());
         if (mass != "anywhere")
             leaf.first = dumbbell_verify::starts::FirstContact{mass == "heavy", from, until};
-        box(leaf.box);
+        box(leaf.box, leaf.box.lo.size());
         return leaf;
     }
     const std::string scene = word(), name = word();
@@ -132,7 +132,7 @@ inline AnyLeaf parsed(const std::string& text) {
         leaf.a = mpz_class(word());
         leaf.b = mpz_class(word());
         leaf.claimed = mpz_class(word());
-        box(leaf.box);
+        box(leaf.box, section->charts[leaf.chart].axes.size());
         return result;
     }
     throw std::runtime_error("no such section: " + text);

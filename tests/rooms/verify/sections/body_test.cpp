@@ -51,7 +51,7 @@ Leaf leaf_of(std::size_t chart, const mpq_class& q, const mpq_class& rho) {
     Leaf leaf;
     leaf.chart = chart;
     leaf.box = body().root(chart, q, q);
-    leaf.rho = Range(rho, rho);
+    leaf.box.lo[3] = leaf.box.hi[3] = rho;
     return leaf;
 }
 
@@ -116,6 +116,38 @@ TEST_CASE("scene body: true covers and witnesses of a lopsided rod are accepted,
                     std::runtime_error);
 }
 
+TEST_CASE("scene body: a cover may halve the range of rho, and no single rho") {
+    const mpq_class lo(1, 2), middle(5001, 10000), hi(2501, 5000);
+    std::string cover;
+    for (const std::size_t chart : {0U, 1U}) {
+        Leaf leaf = leaf_of(chart, 3, lo);
+        leaf.claimed = 3;
+        leaf.box.hi[3] = middle;
+        cover += "chart " + std::string(body().charts[chart].name) + "\nsplit rho\n" +
+                 make::full_tree(body(), leaf);
+        leaf.box.lo[3] = middle;
+        leaf.box.hi[3] = hi;
+        cover += make::full_tree(body(), leaf);
+    }
+    const auto text_of = [](const std::string& rho, const std::string& trees) {
+        return body_text("3/1 3/1", rho, 3, trees, 3, "corner 0b0 0b0 2 0");
+    };
+    const std::string text = text_of("1/2 2501/5000", cover);
+    CHECK(said_of_bodies(text) == "verified");
+    CHECK(said_of_bodies(mutated(text, "rho 1/2 2501/5000", "rho 1/2 3/4")) == "count");
+    CHECK(said_of_bodies(mutated(text, "rho 1/2 2501/5000", "rho 1/2 1/2")) == "split");
+    CHECK(said_of_bodies(mutated(text, "split rho", "split r")) == "syntax");
+    const std::size_t departures = cover.find("chart departure\n");
+    CHECK(said_of_bodies(text_of("1/2 2501/5000", cover.substr(0, departures) +
+                                                      "chart departure\nsplit rho\noutside\n" +
+                                                      cover.substr(departures + 26))) == "outside");
+    std::string deep = "chart contact\n";
+    for (int i = 0; i < 401; ++i) deep += "split rho\n";
+    CHECK(said_of_bodies(text_of("1/2 2501/5000", deep)) == "depth");
+    const std::string& single = lopsided();
+    CHECK(said_of_bodies(mutated(single, "chart contact\n", "chart contact\nsplit rho\n")) == "split");
+}
+
 TEST_CASE("scene body: a rod that hits with its heavy end before and after a collision with the light end") {
     const auto said = [](const std::string& counts, const std::string& ratios = "9/1 9/1",
                          const std::string& rho = "2/15 2/15", unsigned precision = 0) {
@@ -145,8 +177,9 @@ TEST_CASE(
 }
 
 TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
-    const auto most = [](const mpq_class& q, int count) {
+    const auto most = [](const mpq_class& q, int count, const mpq_class& more_rho = 0) {
         Leaf leaf = leaf_of(0, q, mpq_class(1, 2));
+        leaf.box.hi[3] += more_rho;
         leaf.box.lo[0] = leaf.box.hi[0] = 3;
         leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(1, 100);
         leaf.a = count;
@@ -155,6 +188,7 @@ TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
     };
     CHECK(most(2, 1));
     CHECK_FALSE(most(2, 0));
+    CHECK_FALSE(most(2, 1, mpq_class(1, 20)));  // only one of these has no mass there
     CHECK(most(mpq_class(11, 5), 2));
     CHECK_FALSE(most(mpq_class(11, 5), 1));
 }
@@ -162,10 +196,10 @@ TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
 TEST_CASE("scene body: the root boxes and the leaf outside are those of the format") {
     const Box contacts = body().root(0, 3, mpq_class(13, 4)),
               departures = body().root(1, 3, mpq_class(13, 4));
-    CHECK((contacts.lo == std::array<mpq_class, 3>{0, 0, 3} &&
-           contacts.hi == std::array<mpq_class, 3>{4, 8, mpq_class(13, 4)}));
-    CHECK((departures.lo == std::array<mpq_class, 3>{0, 0, 3} &&
-           departures.hi == std::array<mpq_class, 3>{2, 2, mpq_class(13, 4)}));
+    CHECK((contacts.lo == std::array<mpq_class, 4>{0, 0, 3} &&
+           contacts.hi == std::array<mpq_class, 4>{4, 8, mpq_class(13, 4)}));
+    CHECK((departures.lo == std::array<mpq_class, 4>{0, 0, 3} &&
+           departures.hi == std::array<mpq_class, 4>{2, 2, mpq_class(13, 4)}));
     const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
         Leaf leaf = leaf_of(chart, 10, mpq_class(1, 4));
         leaf.opcode = outside;

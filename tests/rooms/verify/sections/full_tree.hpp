@@ -2,6 +2,7 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "verify/core/section.hpp"
 
@@ -30,13 +31,13 @@ inline std::string full_tree(const dumbbell_verify::Section& section, dumbbell_v
 }
 /// All trees of a piece at the ratio q, for bodies of these rho if there are some.
 inline std::string full_cover(const dumbbell_verify::Section& section, const mpq_class& q,
-                              std::uint64_t upper, const std::optional<dumbbell_verify::Range>& rho = {}) {
+                              std::uint64_t upper, const dumbbell_verify::Range& rho = {}) {
     std::string text;
     dumbbell_verify::Leaf leaf;
     leaf.claimed = upper;
-    leaf.rho = rho;
     for (leaf.chart = 0; leaf.chart < section.charts.size(); ++leaf.chart) {
         leaf.box = section.root(leaf.chart, q, q);
+        std::tie(leaf.box.lo[3], leaf.box.hi[3]) = rho;
         text += "chart " + std::string(section.charts[leaf.chart].name) + "\n" + full_tree(section, leaf);
     }
     return text;

@@ -100,9 +100,9 @@ TEST_CASE("sections full and plain: the root boxes are those of the format") {
         for (std::size_t chart = 0; chart < 3; ++chart) {
             const Box root = section->root(chart, 2, 3), wide = section->root(chart, 2, mpq_class(13, 4));
             const bool departs = section->charts[chart].name == "departure";
-            CHECK((root.lo == wide.lo && root.lo == std::array<mpq_class, 3>{0, 0, 2}));
-            CHECK((root.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 4, 3}));
-            CHECK((wide.hi == std::array<mpq_class, 3>{departs ? 2 : 4, departs ? 2 : 8, mpq_class(13, 4)}));
+            CHECK((root.lo == wide.lo && root.lo == std::array<mpq_class, 4>{0, 0, 2}));
+            CHECK((root.hi == std::array<mpq_class, 4>{departs ? 2 : 4, departs ? 2 : 4, 3}));
+            CHECK((wide.hi == std::array<mpq_class, 4>{departs ? 2 : 4, departs ? 2 : 8, mpq_class(13, 4)}));
         }
 }
 
