@@ -24,7 +24,7 @@ Box before(const Collision<Interval>& first, const Rational& q) {
     const Rational ydot = middle(first.ydot_before);
     const Rational y = middle(first.y);
     const Rational time = (Rational(1) - y) / -ydot;  // the incoming flight has come down from height 1
-    const std::array<Rational, axis_count> at{middle(first.phi) - phidot * time, phidot, Rational(1), ydot,
+    const std::array<Rational, starts::axis_count> at{middle(first.phi) - phidot * time, phidot, Rational(1), ydot,
                                               q};
     return {at, at};
 }
@@ -110,7 +110,7 @@ TEST_CASE("Boxes around a long orbit share many enclosed collisions, those of th
     const Box start = start_of(best_witness(q), q);
     const auto around = [&](const Rational& radius) {
         Box box = start;
-        for (std::size_t i = 0; i < axis_count; ++i) {
+        for (std::size_t i = 0; i < starts::axis_count; ++i) {
             const bool varies = static_cast<starts::Axis>(i) != starts::Axis::ratio;
             box.lo[i] -= varies ? radius : Rational(0);
             box.hi[i] += varies ? radius : Rational(0);
@@ -124,7 +124,7 @@ TEST_CASE("Boxes around a long orbit share many enclosed collisions, those of th
         CHECK(traced.collisions.size() >= least);
         for (unsigned corner = 0; corner < 16; ++corner) {
             Box point = box;
-            for (std::size_t i = 0; i < axis_count; ++i) {
+            for (std::size_t i = 0; i < starts::axis_count; ++i) {
                 const bool up = (corner >> i & 1U) != 0;
                 point.lo[i] = point.hi[i] = up ? box.hi[i] : box.lo[i];
             }

@@ -94,13 +94,13 @@ TEST_CASE("law: the shipped certificate is counted line by line") {
     const make::Run verified = run("--leaves " DUMBBELL_PROJECT "/certificates/law.dbc.gz");
     CHECK(verified.code == 0);
     CHECK(has(verified,
-              "  split                 23733 line(s)    0.00000 % of the root boxes\n"
+              "  split                 50409 line(s)    0.00000 % of the root boxes\n"
               "  count                  1937 line(s)   98.55470 % of the root boxes\n"
               "  outside                 446 line(s)    1.27873 % of the root boxes\n"
               "  meets                     0 line(s)    0.00000 % of the root boxes\n"
               "  meets-reversed            0 line(s)    0.00000 % of the root boxes\n"
               "  equal-masses              1 line(s)    0.11105 % of the root boxes\n"
               "  witness                 900 line(s)    0.00000 % of the root boxes\n"
-              "  slope                 22565 line(s)    0.01689 % of the root boxes\n"
-              "  beyond                  584 line(s)    0.03863 % of the root boxes\n"));
+              "  slope                 48811 line(s)    0.01680 % of the root boxes\n"
+              "  beyond                 1014 line(s)    0.03872 % of the root boxes\n"));
 }
