@@ -24,8 +24,8 @@ Box before(const Collision<Interval>& first, const Rational& q) {
     const Rational ydot = middle(first.ydot_before);
     const Rational y = middle(first.y);
     const Rational time = (Rational(1) - y) / -ydot;  // the incoming flight has come down from height 1
-    const std::array<Rational, starts::axis_count> at{middle(first.phi) - phidot * time, phidot, Rational(1), ydot,
-                                              q};
+    const std::array<Rational, starts::axis_count> at{middle(first.phi) - phidot * time, phidot, Rational(1),
+                                                      ydot, q};
     return {at, at};
 }
 
