@@ -6,6 +6,7 @@ import gzip
 import math
 import os
 import re
+import signal
 import subprocess
 import tempfile
 import threading
@@ -130,6 +131,7 @@ def endless():
 
 class WhileItWorks(unittest.TestCase):
     def test_ctrl_c_ends_it(self):
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
         for name, work in endless():
             with self.subTest(name):
                 # From outside: a thread of this process may have to wait for the work.
