@@ -143,7 +143,7 @@ class Leaves(unittest.TestCase):
                 return state.collisions()[0]
 
             chart, axis, end = self.random.choice((("contact", "t", 3.1), ("departure", "e", 1.5)))
-            box = {**self.box(**{axis: (0.01, end), "eta": (0.001, float(1 / rho) if axis == "t" else 1)}), "q": (q, q)}
+            box = {**self.box(**{axis: (0.01, end), "eta": (0.001, float(1 / rho) if axis == "t" else 1)}), "q": (q, q), "rho": (rho, rho)}
             try:
                 counts = {later(p) for p in self.points(box)}
             except Doubtful:
@@ -169,8 +169,9 @@ class Leaves(unittest.TestCase):
 
     def test_a_slope_in_its_other_forms(self):
         """Of L4, over a box of a body in which the denominator may vanish: its one form alone is not enough."""
-        box = {"t": (Fraction(5, 4), Fraction(11, 8)), "eta": (Fraction(0), Fraction(1, 16)), "q": (Fraction(3), Fraction(3))}
         half = Fraction(1, 2)
+        box = {"t": (Fraction(5, 4), Fraction(11, 8)), "eta": (Fraction(0), Fraction(1, 16)), "q": (Fraction(3), Fraction(3)),
+               "rho": (half, half)}
         self.assertTrue(certified(lambda: body.Bodies((half, half)).leaf("contact", "count", [1], box)))
 
     def test_no_collision(self):
