@@ -2,6 +2,7 @@
 
 import body
 import full
+import gaps
 import plain
 import turning
 import wedge
@@ -21,39 +22,53 @@ SECTIONS = {
 
 
 class Staircase:
-    """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V; for all rho in a pair, or None."""
+    """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V; for all rho in a pair, or None. `source`
+    is what the verdict says of where it comes from."""
 
-    def __init__(self, scene, rho, heavy_once, pieces, checksum):
-        self.rho, self.pieces, self.checksum = rho, pieces, checksum
+    def __init__(self, scene, rho, heavy_once, pieces, source):
+        self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
         self.low, self.high = pieces[0][0], pieces[-1][1]
-        uppers, lowers = [piece[2] for piece in pieces], [piece[3] for piece in pieces]
-        gaps = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
-        opens = sum(u is None or u > v + 1 for u, v in zip(uppers, lowers))
-        heavy = " heavy-at-most=1" if heavy_once and None not in uppers else ""
-        self.text = (f"scene={scene} ratio={interval_text(self.low, self.high)} {f'rho={interval_text(*rho)} ' if rho else ''}"
-                     f"upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={gaps} open={opens}{heavy}")
+        self.open = sum(u is None or u > v + 1 for _, _, u, v in pieces)
+        self.heavy_once = heavy_once and all(u is not None for _, _, u, _ in pieces)
+
+    def text(self, demand):
+        uppers, lowers = [piece[2] for piece in self.pieces], [piece[3] for piece in self.pieces]
+        rho = f" rho={interval_text(*self.rho)}" if self.rho else ""
+        number = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
+        return (f"scene={self.scene} ratio={interval_text(self.low, self.high)}{rho}"
+                f" upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={number} open={self.open}"
+                f" widest-gap={gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
+                f"{' heavy-at-most=1' if self.heavy_once else ''}")
+
+    def not_demanded(self, demand):
+        low, high = demand.ratios(self.low, self.high)
+        return demand.not_demanded([*(("inertia", "rho") if self.rho else ("ratio",)), "max", "min",
+                                    *(("gap",) if low < high else ()), *(("heavy-at-most",) if self.heavy_once else ())])
 
     def missing(self, demand):
         """What is demanded and not proved; None: nothing."""
-        low, high = demand.ratios or (self.low, self.high)
+        low, high = demand.ratios(self.low, self.high)
+        most, least, rhos = demand["max"], demand["min"], demand["rho"]
         if low < self.low or high > self.high:
-            return part_text(self.low, self.high, low, high)
-        if demand.rhos and not self.rho[0] <= demand.rhos[0] <= demand.rhos[1] <= self.rho[1]:
-            return f"not proved for every rho in {interval_text(*demand.rhos)}"
-        where = f" collisions for every {'Q' if self.rho else 'mass ratio'} in {interval_text(low, high)}"
-        if demand.most is not None and not covered(
-                [(a, b) for a, b, u, _ in self.pieces if u is not None and u <= demand.most], low, high):
-            return f"not proved: at most {demand.most}{where}"
-        if demand.least is not None and not covered(
-                [(a, b) for a, b, _, v in self.pieces if v >= demand.least], low, high):
-            return f"not proved: at least {demand.least}{where}"
+            return part_text(self.low, self.high, low, high, "Q in " if self.rho else "the mass ratios ")
+        if rhos and not self.rho[0] <= rhos[0] <= rhos[1] <= self.rho[1]:
+            return f"not proved for every rho in {interval_text(*rhos)}"
+        where = f" for every {'Q' if self.rho else 'mass ratio'} in {interval_text(low, high)}"
+        if most is not None and not covered([(a, b) for a, b, u, _ in self.pieces if u is not None and u <= most], low, high):
+            return f"not proved: at most {most} collisions{where}"
+        if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
+            return f"not proved: at least {least} collisions{where}"
+        if demand["gap"] is not None and not gaps.is_known_but_in_gaps(self.pieces, low, high, demand["gap"]):
+            return f"not proved: the greatest number itself{where}, but in gaps such as are allowed"
+        if demand["heavy-at-most"] and not self.heavy_once:
+            return "not proved: the heavy mass hits the floor at most once"
         return None
 
     def says_nothing(self, demand):
         """No bound is demanded, and none is proved for all mass ratios in question."""
-        if demand.most is not None or demand.least is not None:
+        if demand["max"] is not None or demand["min"] is not None:
             return False
-        low, high = demand.ratios or (self.low, self.high)
+        low, high = demand.ratios(self.low, self.high)
         if low == high:
             return all(u is None and v == 0 for a, b, u, v in self.pieces if a <= low <= b)
         # What has no more than an end in common with them says nothing of them that its neighbour does not.
@@ -99,7 +114,7 @@ def check(lines, header, judge):
     again = header[2] == "full" and not rho
     if again or rho:
         kinds.insert(7, "once" if again else "symmetric")
-    return Staircase(header[1], rho, again, pieces, lines.trailer(kinds))
+    return Staircase(header[1], rho, again, pieces, f"sha256={lines.trailer(kinds)}")
 
 
 def piece(lines, section, a, b, judge):

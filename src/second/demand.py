@@ -1,37 +1,60 @@
 """What is demanded of a file: the claim that the user states."""
 
+from fractions import Fraction
 
-class Demand:
-    """Of the mass ratios `ratios`, a pair (None: those of the file), no trajectory has more than `most` collisions, and some
-    trajectory has `least` (None: nothing is demanded); of this scene and this kind of claim (empty: of any), and if it is of
-    bodies of these rho, a pair."""
 
-    ratios = rhos = most = least = None
-    scene = claim = ""
+SHOWN = ("ratio", "inertia", "rho", "phi", "phidot", "y", "ydot", "max", "min", "gap", "heavy-at-most", "decided", "scene", "claim")
+
+
+class Demand(dict):
+    """What each option demands, by its name (of --exactly N, max and min; of bodies, rho and Q as `inertia`). What is not demanded
+    is None. `is_part`: the demand is on several files as one, and this one need not prove it."""
+
+    is_part = False
+
+    def __missing__(self, name):
+        return None
+
+    def part(self):
+        """The same, of each file of several."""
+        part = Demand(self)
+        part.is_part = True
+        return part
+
+    def ratios(self, low, high):
+        """The mass ratios in question, or for bodies Q, of a file about [low, high]."""
+        return (None if self.is_part else self["ratio"] or self["inertia"]) or (low, high)
 
     def bounds(self):
-        return self.ratios is not None or self.most is not None or self.least is not None
+        """Is something demanded of all trajectories?"""
+        return any(name in self for name in ("ratio", "inertia", "rho", "max", "min", "gap", "heavy-at-most"))
+
+    def is_exact(self):
+        return self["max"] is not None and self["max"] == self["min"]
 
     def text(self):
         """As the verdict repeats it."""
-        parts = [f"demanded-ratio={interval_text(*self.ratios)}"] if self.ratios else []
-        parts += [f"demanded-rho={interval_text(*self.rhos)}"] if self.rhos else []
-        if self.most is not None and self.most == self.least:
-            parts.append(f"exactly={self.most}")
-        else:
-            parts += [f"max={self.most}"] if self.most is not None else []
-            parts += [f"min={self.least}"] if self.least is not None else []
-        parts += [f"demanded-scene={self.scene}"] if self.scene else []
-        parts += [f"demanded-claim={self.claim}"] if self.claim else []
-        return "".join(" " + part for part in parts)
+        parts = []
+        for name in ("scene", "claim") if self.is_part else SHOWN:
+            value, label = self[name], name if name in ("max", "min") else f"demanded-{name}"
+            if name == "max" and self.is_exact():
+                label = "exactly"
+            if value is not None and not (name == "min" and self.is_exact()):
+                parts.append(f" {label}={spelled(value)}")
+        return "".join(parts)
+
+    def not_demanded(self, names):
+        """The end of the verdict: what was not demanded of these."""
+        left = [name for name in names if name not in self and not (self.is_exact() and name in ("gap", "decided"))]
+        return f" not-demanded={','.join(left)}" if self and left and not self.is_part else ""
 
     def other(self, scene, claim):
         """Why a file of this scene and claim is not what was demanded; None if it is. Who states a claim means the dumbbell."""
-        asked = self.scene or ("dumbbell" if self.bounds() or self.claim else scene)
+        asked = self["scene"] or ("dumbbell" if self.bounds() or self["claim"] else scene)
         if asked != scene:
             return f"the scene is {scene}, and {asked} was demanded (--scene)"
-        if self.claim not in ("", claim):
-            return f"the claim is {claim}, and {self.claim} was demanded (--claim)"
+        if (self["claim"] or claim) != claim:
+            return f"the claim is {claim}, and {self['claim']} was demanded (--claim)"
         return None
 
 
@@ -39,13 +62,19 @@ def ratio_text(ratio):
     return f"{ratio.numerator}/{ratio.denominator}"
 
 
+def spelled(value):
+    """An interval, a fraction, a whole number or a word."""
+    if isinstance(value, tuple):
+        return interval_text(*value)
+    return ratio_text(value) if isinstance(value, Fraction) else str(value)
+
+
 def interval_text(low, high):
     return f"{ratio_text(low)}:{ratio_text(high)}"
 
 
-def part_text(low, high, first, last):
+def part_text(low, high, first, last, what="the mass ratios "):
     """Of a claim about the ratios [low, high] that does not cover [first, last]: what it covers."""
     if high < first or last < low:
-        return f"nothing is said of the mass ratios {interval_text(first, last)}, only of {interval_text(low, high)}"
-    return (f"of the mass ratios {interval_text(first, last)} only {interval_text(max(low, first), min(high, last))} "
-            "are covered")
+        return f"nothing is said of {what}{interval_text(first, last)}, only of {interval_text(low, high)}"
+    return f"of {what}{interval_text(first, last)} only {interval_text(max(low, first), min(high, last))} are covered"

@@ -28,7 +28,7 @@ def states(piece, q):
             "y": (fall * (1 + Fraction(1, 1 << 20)),) * 2, "ydot": (-fall, -fall)}
 
 
-def check(lines, judge):
+def check(lines, judge, demand):
     """Checks all after the line `claim`."""
     q, highest = read_ratio(lines)
     if q != highest:
@@ -46,4 +46,4 @@ def check(lines, judge):
 
     bits, = lines.line("bits", "bits")
     root = {"phi": (Fraction(0), Fraction(2)), "s": (Fraction(0), Fraction(1))}
-    return check_leaves(lines, judge, "claim=incoming", root, (q, q), bits, holds, numbers)
+    return check_leaves(lines, judge, demand, "claim=incoming", root, (q, q), bits, holds, numbers)

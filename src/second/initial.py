@@ -3,12 +3,13 @@
 from fractions import Fraction
 
 from contact import Air, has_no_collision, is_first_contact
-from demand import interval_text, part_text
+from demand import interval_text, ratio_text
 from failure import Rejected
 from fixed import hull, interval, sin_cos
 from flight import counts_within, first_reflection, greatest_number
 from judge import ends
 from tree import walk
+from work import spend
 
 HEADER = "1", "dumbbell", "none"
 AXES = "phi", "phidot", "y", "ydot"
@@ -39,39 +40,91 @@ def leaf_holds(box, low, high, window):
     return later_least is None if rays is None else counts_within(rays, later_least, later_most)
 
 
-class Starts:
-    """What is proved of all starts: from `least` to `most` collisions (None: no bound), and on the share `decided` of them
-    exactly how many. `about` is what the verdict says of them, `low` and `high` are the ends of the mass ratio."""
+class Leaves:
+    """What some leaves say together: how many collisions, and on which share of what is in question exactly how many."""
 
-    def __init__(self, about, ratios, bounds, decided, checksum):
-        self.low, self.high = ratios
-        self.least, self.most = bounds
-        self.decided, self.checksum = decided, checksum
-        digits = f"{decided.numerator * 10**12 // decided.denominator:013d}"  # cut off, not rounded
-        self.text = (f"{about} ratio={interval_text(*ratios)} collisions={self.least}:{bound_text(self.most)} "
-                     f"decided={'1' if decided == 1 else digits[:-12] + '.' + digits[-12:]}")
+    def __init__(self):
+        self.lows, self.highs, self.decided = set(), set(), Fraction(0)
+
+    def add(self, low, high, share):
+        """A leaf of `share`, none of them if it is 0; `high` None: no bound."""
+        if share:
+            self.lows.add(low)
+            self.highs.add(high)
+            self.decided += share if low == high else 0
+
+    def bounds(self):
+        return (0, None) if None in self.highs else (min(self.lows), max(self.highs))
+
+
+def share_of(box, root, asked):
+    """How much of the box that is asked about is in the box of a leaf: the product over the axes of overlap / width. A point on
+    the border of two leaves is in the upper one."""
+    share = Fraction(1)
+    for axis, (low, high) in root.items():
+        (a, b), (first, last) = box[axis], asked.get(axis, (low, high))
+        spend(10_000 + sum(x.denominator.bit_length() for x in (share, a, b, first, last)) ** 2 // 500)
+        if first < last:
+            share *= max(Fraction(0), min(b, last) - max(a, first)) / (last - first)
+        elif a < b and not (a <= first < b or first == b == high):
+            return 0
+    return share
+
+
+def decimals(share):
+    """With twelve places, cut off, not rounded."""
+    digits = f"{share.numerator * 10**12 // share.denominator:013d}"
+    return f"{digits[:-12]}.{digits[-12:]}"
+
+
+class Starts:
+    """What is proved of all starts in the box `root`, whose mass ratios are `ratios`: `found` says it of all, `asked` of those that
+    are demanded. `about` is what the verdict says of them."""
+
+    open = 0
+
+    def __init__(self, about, root, ratios, found, asked, source):
+        self.about, self.root, self.ratios, self.found, self.asked, self.source = about, root, ratios, found, asked, source
+
+    def text(self, _demand):
+        least, most = self.found.bounds()
+        return (f"{self.about} ratio={interval_text(*self.ratios)} collisions={least}:{bound_text(most)} "
+                f"decided={'1' if self.found.decided == 1 else decimals(self.found.decided)}")
+
+    def axes(self):
+        return AXES if "q" in self.root else ()
+
+    def not_demanded(self, demand):
+        return demand.not_demanded([*self.axes(), "ratio", "max", "min", "decided"])
 
     def missing(self, demand):
         """What is demanded and not proved; None: nothing."""
-        if demand.ratios and (demand.ratios[0] < self.low or demand.ratios[1] > self.high):
-            return part_text(self.low, self.high, *demand.ratios)
-        if demand.most is not None and (self.most is None or self.most > demand.most):
-            return f"not proved: at most {demand.most} collisions from the box"
-        if demand.least is not None and self.least < demand.least:
-            return f"not proved: at least {demand.least} collisions from the box"
+        for axis in (*self.axes(), "ratio"):
+            low, high = self.ratios if axis == "ratio" else self.root[axis]
+            first, last = demand[axis] or (low, high)
+            if not low <= first <= last <= high:
+                return f"nothing is said of all {axis} in {interval_text(first, last)}, only of {interval_text(low, high)}"
+        least, most = self.asked.bounds()
+        if demand["max"] is not None and (most is None or most > demand["max"]):
+            return f"not proved: at most {demand['max']} collisions from the box"
+        if demand["min"] is not None and least < demand["min"]:
+            return f"not proved: at least {demand['min']} collisions from the box"
+        if self.asked.decided < (demand["decided"] or 0):
+            return (f"not proved: the number of collisions for a share {ratio_text(demand['decided'])} of the box, only for "
+                    f"{decimals(self.asked.decided)}")
         return None
 
     def says_nothing(self, demand):
-        """No bound is demanded, none holds for all starts, and of no part of them the number is known."""
-        return (demand.most is None and demand.least is None and self.most is None and self.least == 0
-                and self.decided == 0)
+        """No bound is demanded, none holds for all starts in question, and of no part of them the number is known."""
+        return (demand["max"] is None and demand["min"] is None and self.asked.bounds() == (0, None)
+                and self.asked.decided == 0)
 
 
 def bound_text(bound):
     return "none" if bound is None else str(bound)
 
 
-def check(lines, judge):
+def check(lines, judge, demand):
     """Checks all after the line `claim`."""
     box = {"q": read_ratio(lines)}
     for axis in AXES:
@@ -86,7 +139,7 @@ def check(lines, judge):
     judge(lambda: above_floor(box), ends(box), max(bits, 512),
           lines.wrong("floor", "not certified: both masses start above the floor"))
     about = "".join(f" {axis}={interval_text(*box[axis])}" for axis in AXES)
-    return check_leaves(lines, judge, f"claim=initial-conditions{about}", box, box["q"], bits, leaf_holds, ends)
+    return check_leaves(lines, judge, demand, f"claim=initial-conditions{about}", box, box["q"], bits, leaf_holds, ends)
 
 
 def read_ratio(lines):
@@ -122,31 +175,31 @@ def read_leaf(lines, fields):
     return low, high, window
 
 
-def check_leaves(lines, judge, about, root, ratios, bits, holds, numbers):
+def check_leaves(lines, judge, demand, about, root, ratios, bits, holds, numbers):
     """Checks all from the line `between` on. holds(box, low, high, window) is what must be certified of a leaf, numbers(box) are
     those that this is about."""
     claimed = lines.line("between", "any", "any")
-    claimed = [lines.value("nat", claimed[0]), None if claimed[1] == "none" else lines.value("nat", claimed[1])]
+    claimed = lines.value("nat", claimed[0]), None if claimed[1] == "none" else lines.value("nat", claimed[1])
     claim_line = lines.number
-    lows, highs, decided = set(), set(), Fraction(0)
+    sides = {axis: demand["ratio" if axis == "q" else axis] for axis in root}
+    sides = {axis: side for axis, side in sides.items() if side}
+    found = Leaves()
+    asked = Leaves() if sides else found
 
     def leaf(fields, box, share):
-        nonlocal decided
         op = fields[0]
         if op not in ("exactly", "between") and fields != ["open"]:
             raise lines.wrong("opcode", "not a line for this place")
         lines.count(op)
         low, high, window = (0, None, None) if op == "open" else read_leaf(lines, fields)
-        lows.add(low)
-        highs.add(high)
-        if op == "exactly":
-            decided += share
+        found.add(low, high, share)
+        if sides:
+            asked.add(low, high, share_of(box, root, sides))
         if op != "open":
             judge(lambda: holds(box, low, high, window), numbers(box), bits, lines.wrong(op, "not certified"))
 
     walk(lines, root, leaf)
-    found = [0, None] if None in highs else [min(lows), max(highs)]
-    if claimed != found:
-        raise Rejected(claim_line, "between", f"expected {found[0]} {bound_text(found[1])}")
-    checksum = lines.trailer(["split", "exactly", "between", "open"])
-    return Starts(about, ratios, found, decided, checksum)
+    if claimed != found.bounds():
+        raise Rejected(claim_line, "between", f"expected {found.bounds()[0]} {bound_text(found.bounds()[1])}")
+    source = f"sha256={lines.trailer(['split', 'exactly', 'between', 'open'])}"
+    return Starts(about, root, ratios, found, asked, source)

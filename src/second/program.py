@@ -4,14 +4,17 @@ import contextlib
 import re
 import sys
 import time
+from collections import namedtuple
 
 import certificate
 import work
-from failure import VERDICTS, Failure
+from failure import VERDICTS, Failure, Limit
 from grammar import Lines
 from judge import judge
-from options import DEFAULT_BUDGET, NAME, Usage, parse
+from options import DEFAULT_BUDGET, NAME, parse
 from source import read, unpacked
+from together import together
+from values import Usage
 
 GREATEST_DIGITS = 4300  # of a number that is read or printed; the format's have no more than 2100
 
@@ -50,42 +53,70 @@ class Progress:
             self.shown = False
 
 
-def verdict(path, demand, progress, budget=DEFAULT_BUDGET):
-    """The verdict on a file: its word, and what follows it."""
-    lines = Lines(b"")
-    work.allow(budget)
+# The word of the verdict, what follows it, and what is proved, or the Failure.
+Result = namedtuple("Result", "word text proof why")
+
+
+def result(prove, demand, line):
+    """The verdict on what prove() returns; line() is the line that was read last."""
     try:
+        proof = prove()
+        word = "OPEN" if proof.says_nothing(demand) and not demand.is_part else "VERIFIED"
+        return Result(word, f"{proof.text(demand)} {proof.source}{demand.text()}{proof.not_demanded(demand)}", proof, None)
+    except Failure as failure:
+        why = failure
+        why.line = line() if why.line is None else why.line
+    except MemoryError:
+        why = Limit("out of memory", 0)
+    except Exception as error:  # a defect of this program; whatever it is, nothing is proved
+        why = Limit(f"a defect of this verifier: {type(error).__name__}", line())
+    place = (f"line={why.line} " if why.line else "") + (f"code={why.code} " if why.verdict == "REJECTED" else "")
+    return Result(why.verdict, place + one_line(str(why)), None, why)
+
+
+def examine(path, demand, progress, budget=DEFAULT_BUDGET):
+    """The verdict on a file."""
+    lines = Lines(b"")
+
+    def prove():
+        nonlocal lines
         text, fault = unpacked(read(path))
         lines = Lines(text, fault, progress)
         progress.of = max(1, text.count(b"\n"))
-        proof = certificate.check(lines, demand, judge)
-        word = "OPEN" if proof.says_nothing(demand) else "VERIFIED"
-        return word, f"{proof.text} sha256={proof.checksum}{demand.text()}"
-    except Failure as why:
-        line = lines.number if why.line is None else why.line
-        place = (f"line={line} " if line else "") + (f"code={why.code} " if why.verdict == "REJECTED" else "")
-        return why.verdict, place + one_line(str(why))
-    except MemoryError:
-        return "LIMIT", "out of memory"
-    except Exception as error:  # a defect of this program; whatever it is, nothing is proved
-        return "LIMIT", f"line={lines.number} a defect of this verifier: {type(error).__name__}"
+        return certificate.check(lines, demand, judge)
+
+    work.allow(budget)
+    return result(prove, demand, lambda: lines.number)
 
 
-def run(asked):
-    """Verifies all files; returns the exit code."""
-    found, progress, several = [], Progress(not asked.quiet), len(asked.files) > 1
-    for path in asked.files:
-        word, text = verdict(path, asked.demand, progress, asked.budget)
-        found.append(word)
+def verify_each(asked, progress):
+    """Every file by itself; returns the exit code."""
+    found, several = [], len(asked.jobs) > 1
+    for path, demand in asked.jobs:
+        found.append(examine(path, demand, progress, asked.budget))
         progress.hide()
         if not (several and asked.quiet):
-            print(f"s {word} {text}" + (f" file={one_line(path)}" if several else ""), flush=True)
-    worst = VERDICTS[max(found, key=list(VERDICTS).index)]
+            print(f"s {found[-1].word} {found[-1].text}" + (f" file={one_line(path)}" if several else ""), flush=True)
+    words = [one.word for one in found]
+    worst = VERDICTS[max(words, key=list(VERDICTS).index)]
     if several:
-        totals = " ".join(f"{word.lower()}={found.count(word)}" for word in
-                          ("VERIFIED", "REJECTED", "LIMIT", "UNSUPPORTED", "UNREADABLE", "OPEN"))
-        print(f"c files={len(found)} {totals} exit={worst}", flush=True)
+        totals = " ".join(f"{word.lower()}={words.count(word)}" for word in
+                          ("VERIFIED", "REJECTED", "LIMIT", "UNSUPPORTED", "UNREADABLE"))
+        print(f"c files={len(found)} {totals} nothing-proved={words.count('OPEN')} "
+              f"open={sum(one.proof.open for one in found if one.proof)} exit={worst}", flush=True)
     return worst
+
+
+def verify_together(asked, progress):
+    """All files as one, with one verdict."""
+    files, demand = [], asked.jobs[0][1]
+    for path, _ in asked.jobs:
+        files.append((path, examine(path, demand.part(), progress, asked.budget)))
+        progress.hide()
+    work.allow(asked.budget)
+    whole = result(lambda: together(files, demand), demand, lambda: 0)
+    print(f"s {whole.word} {whole.text}", flush=True)
+    return VERDICTS[whole.word]
 
 
 def main(words):
@@ -99,7 +130,7 @@ def main(words):
         if sys.stdout is None:
             raise OSError
         if asked.answer is None:
-            return run(asked)
+            return (verify_together if asked.together else verify_each)(asked, Progress(not asked.quiet))
         print(asked.answer, end="", flush=True)
         return 0
     except Usage as error:

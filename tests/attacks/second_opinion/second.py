@@ -1,5 +1,6 @@
 """Makes the second verifier's modules importable: `import second` goes before them. And what the tests ask of it."""
 
+import hashlib
 import random
 import sys
 from pathlib import Path
@@ -13,12 +14,32 @@ sys.path.insert(0, str(FOLDER))
 import judge
 import options
 import program
+import source
+import values
+
+
+def demand_of(words):
+    """What these words of a command line demand."""
+    return options.parse([*words, "FILE"]).jobs[0][1]
 
 
 def verdict_line(path, words=()):
     """What the program prints with --quiet, without a process of its own, and its exit code."""
-    word, text = program.verdict(str(path), options.parse([*words, "FILE"]).demand, program.Progress(False))
-    return f"s {word} {text}", program.VERDICTS[word]
+    try:
+        found = program.examine(str(path), demand_of(words), program.Progress(False))
+    except values.Usage as error:
+        return str(error), 2
+    return f"s {found.word} {found.text}", program.VERDICTS[found.word]
+
+
+def body(path):
+    """The lines of a certificate before its checksum."""
+    return source.unpacked(source.read(str(path)))[0].decode().split("\n")[:-2]
+
+
+def signed(lines):
+    text = "".join(line + "\n" for line in lines).encode()
+    return text + b"sha256 " + hashlib.sha256(text).hexdigest().encode() + b"\n"
 
 
 class Sample:
