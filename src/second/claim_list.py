@@ -16,6 +16,9 @@ def read_claims(path):
     """Of each row its file and its demand. A row is a certificate, a tab, the options that state its claim, and remarks behind
     further tabs; empty lines and lines that begin with # are remarks. Raises Usage, which names the row."""
     rows, where = [], path
+    # If the list is no file on a disk, names are relative to the folder where the program runs.
+    is_pipe = re.match("-$|/dev/stdin$|/dev/fd/|/proc/", path) or not os.path.isfile(path)
+    folder = "" if is_pipe else os.path.dirname(path)
     try:
         text = read(path)
         if len(text) > GREATEST_LIST:
@@ -26,19 +29,13 @@ def read_claims(path):
             if named:
                 raise Usage(named)
             if line and not line.startswith(b"#"):
-                rows.append(row(os.fsdecode(line).split("\t"), folder_of(path)))
+                rows.append(row(os.fsdecode(line).split("\t"), folder))
         where = path
         if not rows:
             raise Usage("no claim in this list")
     except (Usage, Failure) as error:
         raise Usage(f"{where}: {error}") from None
     return rows
-
-
-def folder_of(path):
-    """Names are relative to the folder of the list; if it is no file on a disk, to that where the program runs."""
-    is_pipe = re.match("-$|/dev/stdin$|/dev/fd/|/proc/", path) or not os.path.isfile(path)
-    return "" if is_pipe else os.path.dirname(path)
 
 
 def row(fields, folder):

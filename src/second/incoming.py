@@ -46,4 +46,4 @@ def check(lines, judge, demand):
 
     bits, = lines.line("bits", "bits")
     root = {"phi": (Fraction(0), Fraction(2)), "s": (Fraction(0), Fraction(1))}
-    return check_leaves(lines, judge, demand, "claim=incoming", root, (q, q), bits, holds, numbers)
+    return check_leaves(lines, judge, demand, "incoming", {"ratio": (q, q)}, root, bits, holds, numbers)

@@ -71,47 +71,38 @@ def share_of(box, root, asked):
     return share
 
 
-def decimals(share):
-    """With twelve places, cut off, not rounded."""
-    digits = f"{share.numerator * 10**12 // share.denominator:013d}"
-    return f"{digits[:-12]}.{digits[-12:]}"
-
-
 class Starts:
-    """What is proved of all starts in the box `root`, whose mass ratios are `ratios`: `found` says it of all, `asked` of those that
-    are demanded. `about` is what the verdict says of them."""
+    """What is proved of the starts in a box, whose sides are named as in the file: `found` says it of all, `asked` of those that are
+    demanded."""
 
     open = 0
 
-    def __init__(self, about, root, ratios, found, asked, source):
-        self.about, self.root, self.ratios, self.found, self.asked, self.source = about, root, ratios, found, asked, source
+    def __init__(self, claim, box, found, asked, source):
+        self.claim, self.box, self.found, self.asked, self.source = claim, box, found, asked, source
 
     def text(self, _demand):
-        least, most = self.found.bounds()
-        return (f"{self.about} ratio={interval_text(*self.ratios)} collisions={least}:{bound_text(most)} "
-                f"decided={'1' if self.found.decided == 1 else decimals(self.found.decided)}")
-
-    def axes(self):
-        return AXES if "q" in self.root else ()
+        sides = "".join(f" {name}={interval_text(*side)}" for name, side in self.box.items())
+        (least, most), decided = self.found.bounds(), self.found.decided
+        digits = f"{decided.numerator * 10**12 // decided.denominator:013d}"  # cut off, not rounded
+        return (f"claim={self.claim}{sides} collisions={least}:{bound_text(most)} "
+                f"decided={'1' if decided == 1 else digits[:-12] + '.' + digits[-12:]}")
 
     def not_demanded(self, demand):
-        return demand.not_demanded([*self.axes(), "ratio", "max", "min", "decided"])
+        return demand.not_demanded([*self.box, "max", "min", "decided"])
 
     def missing(self, demand):
         """What is demanded and not proved; None: nothing."""
-        for axis in (*self.axes(), "ratio"):
-            low, high = self.ratios if axis == "ratio" else self.root[axis]
-            first, last = demand[axis] or (low, high)
-            if not low <= first <= last <= high:
-                return f"nothing is said of all {axis} in {interval_text(first, last)}, only of {interval_text(low, high)}"
+        for name, (low, high) in self.box.items():
+            first, last = demand[name] or (low, high)
+            if first < low or last > high:
+                return f"nothing is said of all {name} in {interval_text(first, last)}, only of {interval_text(low, high)}"
         least, most = self.asked.bounds()
         if demand["max"] is not None and (most is None or most > demand["max"]):
             return f"not proved: at most {demand['max']} collisions from the box"
         if demand["min"] is not None and least < demand["min"]:
             return f"not proved: at least {demand['min']} collisions from the box"
         if self.asked.decided < (demand["decided"] or 0):
-            return (f"not proved: the number of collisions for a share {ratio_text(demand['decided'])} of the box, only for "
-                    f"{decimals(self.asked.decided)}")
+            return f"not proved: the number of collisions for a share {ratio_text(demand['decided'])} of the box"
         return None
 
     def says_nothing(self, demand):
@@ -138,8 +129,8 @@ def check(lines, judge, demand):
         raise lines.wrong("number", "phi spans more than 7")
     judge(lambda: above_floor(box), ends(box), max(bits, 512),
           lines.wrong("floor", "not certified: both masses start above the floor"))
-    about = "".join(f" {axis}={interval_text(*box[axis])}" for axis in AXES)
-    return check_leaves(lines, judge, demand, f"claim=initial-conditions{about}", box, box["q"], bits, leaf_holds, ends)
+    sides = {**{axis: box[axis] for axis in AXES}, "ratio": box["q"]}
+    return check_leaves(lines, judge, demand, "initial-conditions", sides, box, bits, leaf_holds, ends)
 
 
 def read_ratio(lines):
@@ -175,16 +166,15 @@ def read_leaf(lines, fields):
     return low, high, window
 
 
-def check_leaves(lines, judge, demand, about, root, ratios, bits, holds, numbers):
+def check_leaves(lines, judge, demand, claim, sides, root, bits, holds, numbers):
     """Checks all from the line `between` on. holds(box, low, high, window) is what must be certified of a leaf, numbers(box) are
     those that this is about."""
     claimed = lines.line("between", "any", "any")
     claimed = lines.value("nat", claimed[0]), None if claimed[1] == "none" else lines.value("nat", claimed[1])
     claim_line = lines.number
-    sides = {axis: demand["ratio" if axis == "q" else axis] for axis in root}
-    sides = {axis: side for axis, side in sides.items() if side}
+    cut = {"q" if name == "ratio" else name: demand[name] for name in sides if demand[name]}
     found = Leaves()
-    asked = Leaves() if sides else found
+    asked = Leaves() if cut else found
 
     def leaf(fields, box, share):
         op = fields[0]
@@ -193,8 +183,8 @@ def check_leaves(lines, judge, demand, about, root, ratios, bits, holds, numbers
         lines.count(op)
         low, high, window = (0, None, None) if op == "open" else read_leaf(lines, fields)
         found.add(low, high, share)
-        if sides:
-            asked.add(low, high, share_of(box, root, sides))
+        if cut:
+            asked.add(low, high, share_of(box, root, cut))
         if op != "open":
             judge(lambda: holds(box, low, high, window), numbers(box), bits, lines.wrong(op, "not certified"))
 
@@ -202,4 +192,4 @@ def check_leaves(lines, judge, demand, about, root, ratios, bits, holds, numbers
     if claimed != found.bounds():
         raise Rejected(claim_line, "between", f"expected {found.bounds()[0]} {bound_text(found.bounds()[1])}")
     source = f"sha256={lines.trailer(['split', 'exactly', 'between', 'open'])}"
-    return Starts(about, root, ratios, found, asked, source)
+    return Starts(claim, sides, found, asked, source)
