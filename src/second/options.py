@@ -17,8 +17,8 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --max N               demand the proof that no trajectory has more than N collisions
   --min N               demand the proof that some trajectory has at least N collisions
   --exactly N           both
-  --gap REL             demand the proof of the greatest number itself, at every ratio in question but in gaps of at most
-                        this relative width, in which it is one of two neighbouring numbers; gaps that touch are one
+  --gap REL             demand the proof of the greatest number itself, at every ratio in question but in gaps of at
+                        most this relative width, where it is one of two neighbouring numbers; gaps that touch are one
   --heavy-at-most 1     demand the proof that the heavy mass hits the floor at most once
   --inertia Q|LO:HI     the bodies in question: their Q = (d1/k)^2, in place of a mass ratio; and
   --rho RHO|LO:HI       their d2/d1, above 0 and at most 1
@@ -26,12 +26,12 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --rod-mass MU         with --ratio RATIO: the dumbbell whose rod has MU times the mass of its ends
   --phi, --phidot, --y, --ydot A|LO:HI
                         with --claim initial-conditions: the starts in question; default: the box of the file
-  --decided SHARE       with --claim initial-conditions or incoming: demand the proof of the number of collisions on this
-                        share of what is in question, from 0 to 1
+  --decided SHARE       with --claim initial-conditions or incoming: demand the proof of the number of collisions on
+                        this share of what is in question, from 0 to 1
   --scene dumbbell|hybrid|wedge|body
                         demand this scene; default: what the other options state, dumbbell or body, else the file's
-  --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming. Of the kinds that it does
-                        not judge it takes the options (--delta, --heights, --margin, --exponent, --constant, --attained)
+  --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming; of kinds that it does not
+                        judge it reads the options: --delta, --heights, --margin, --exponent, --constant, --attained
   --claims LIST         a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file
                         (its name is relative to the list's folder), a tab, and options above that state a whole claim
   --together            the files prove one claim: their ranges of mass ratios must follow one another without a hole or
@@ -61,7 +61,7 @@ much slower than dumbbell-verify: minutes for a range up to 10^6.
 
 
 class Asked:
-    """`jobs`: the files, each with its demand; if `together`, that is on all as one. `answer`: print this text and nothing else."""
+    """`jobs`: the files, each with its demand; if `together`, that is on all as one. `answer`: print this text alone."""
 
     def __init__(self):
         self.jobs, self.together, self.quiet, self.answer, self.budget = [], False, False, None, None
@@ -104,8 +104,10 @@ def jobs(asked, files, claim, claims):
             raise Usage("no FILE; see --help")
         demand = demand_of(claim)
         return [(path, demand) for path in files]
-    for other in [f"--{name}" for name in claim] + (["--together"] if asked.together else []):
-        raise Usage(f"--claims and {other} exclude each other; see --help")
+    if claim:
+        raise Usage(f"--claims and --{next(iter(claim))} exclude each other; see --help")
+    if asked.together:
+        raise Usage("--together and --claims exclude each other; see --help")
     if files:
         raise Usage("--claims names the files: give no other FILE")
     return read_claims(claims)

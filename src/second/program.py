@@ -16,7 +16,7 @@ from source import read, unpacked
 from together import together
 from values import Usage
 
-GREATEST_DIGITS = 4300  # of a number that is read or printed; the format's have no more than 2100
+GREATEST_DIGITS = 50_000  # of a number that is printed: Q of a rod with --rod-mass; the format has no more than 2100
 
 
 def one_line(text):

@@ -122,11 +122,12 @@ class Program(unittest.TestCase):
         for words in ([STAIRS, Q10], ["--quiet", STAIRS, Q10], ["--max", "9", STAIRS, Q10], ["/nowhere", Q10], ["--ratio", "x", Q10],
                       ["--max", "3x", Q10], ["--max", "-1", Q10], ["--max", "9" * 2101, Q10], ["--max", Q10, "--max", "4"], ["--min"],
                       ["--exactly", "4", "--max", "4", Q10], ["--ratio", "1:1e1001", Q10], ["--ratio", "3:2", Q10], ["--ratio", "1/2:2", Q10],
-                      ["--scene", "moon", Q10], ["--scene", "body", "--max", "4", Q10], ["--rho", "1", Q10],
+                      ["--scene", "moon", Q10], ["--scene", "body", "--max", "4", Q10], ["--quiet", "--rho", "1", Q10],
                       ["--scene", "body", "--rho", "2", Q10], ["--quiet", "--scene", "body", "--rho", "1/2:1", Q10], ["--ratio", "1/0", Q10], ["--surely", Q10], [], ["--quiet", "--", "--quiet"], ["-q", Q10],
                       ["--quiet", str(CERTIFICATES)], ["--quiet", "no\nthing", "no\x1b[31mthing"], ["--max=4", "--", Q10, Q10],
                       ["--ratio", "", Q10], ["--quiet", ""], ["--coin", "--ratio", "4", Q10], ["--claims", "/nowhere"], ["--claims", Q10, Q10],
-                      ["--claims", Q10, "--together"], ["--claims", Q10, "--max", "4"]):
+                      ["--claims", Q10, "--together"], ["--claims", Q10, "--max", "4"],
+                      ["--quiet", "--ratio", "7" * 990 + "e999", "--rod-mass", "3" * 990 + "e-999", "--max", "5", str(CERTIFICATES / "coin.dbc")]):
             ours, theirs = run(words), first(words)
             self.assertEqual(ours[:2], theirs[:2], words)
             self.assertEqual(ours[2].replace(options.NAME, "dumbbell-verify"), theirs[2], words)
