@@ -22,7 +22,7 @@ KINDS = {
 SIGNED = span(number(lambda x: True, "a number or LO:HI"))
 LEVEL = number(lambda x: x >= 0, "a number of at least 0")
 READERS = {
-    "ratio": mass_ratios, "rho": span(ratio), "inertia": span(ratio), "rod-mass": LEVEL,
+    "ratio": mass_ratios, "rho": span(ratio), "inertia": span(ratio), "rod-mass": LEVEL, "coin": one_of(""),
     "max": count, "min": count, "exactly": count,
     "gap": number(lambda x: 0 <= x < 1, "a width of at least 0 and below 1"),
     "heavy-at-most": one_of("1"),
@@ -41,28 +41,25 @@ INSTEAD = {
 }
 
 
-def value_of(option, equals, value, words):
-    """What follows `=`, or the next word."""
-    if not (equals or words):
-        raise Usage(f"no value after {option}")
-    return value if equals else words.pop(0)
-
-
-def take(word, words, given):
-    """Puts the option `word` into `given`, with its value, which may be the next of `words`. False: it states no claim."""
+def take(word, words, given, names=READERS):
+    """Puts the option `word`, if it is one of `names`, into `given`, with its value, which may be the next of `words`."""
     option, equals, value = word.partition("=")
     name = option[2:]
-    if not option.startswith("--") or not (name in READERS or word == "--coin"):
+    if not option.startswith("--") or name not in names or (equals and name == "coin"):
         return False
     if name in given:
         raise Usage(f"{option} is given twice")
-    given[name] = "" if name == "coin" else value_of(option, equals, value, words)
+    if not equals and name != "coin":
+        if not words:
+            raise Usage(f"no value after {option}")
+        value = words.pop(0)
+    given[name] = value
     return True
 
 
 def demand_of(given):
     """What the options, {name: text}, demand together."""
-    demand = Demand({name: READERS[name](f"--{name}", text) for name, text in given.items() if name != "coin"})
+    demand = Demand({name: READERS[name](f"--{name}", text) for name, text in given.items()})
     kind = demand["claim"] or "collisions"
     for name in given:
         if name not in (*KINDS[kind], "scene", "claim"):
@@ -87,7 +84,7 @@ def state_body(demand, given):
     if (demand["scene"] or "body") != "body":
         raise Usage(f"--rho, --inertia, --coin and --rod-mass are about bodies, not --scene {demand['scene']}")
     demand["scene"] = "body"
-    if "coin" in given:
+    if demand.pop("coin", None) is not None:
         demand.update(rho=(1, 1), inertia=(4, 4))
     if "rod-mass" in demand:
         q, other = demand.pop("ratio", (1, 2))

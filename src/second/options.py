@@ -1,7 +1,7 @@
 """The command line: the claim, in the words of dumbbell-verify, and the files."""
 
 from claim_list import read_claims
-from claim_options import demand_of, take, value_of
+from claim_options import demand_of, take
 from values import Usage, time
 
 NAME = "dumbbell-verify.pyz"
@@ -72,7 +72,6 @@ def parse(words):
     asked, words, files, claim, others, ended = Asked(), list(words), [], {}, {}, False
     while words:
         word = words.pop(0)
-        option, equals, value = word.partition("=")
         if word == "--" and not ended:
             ended = True
         elif ended or word == "-" or not word.startswith("-"):
@@ -85,15 +84,11 @@ def parse(words):
             asked.answer = HELP
         elif word in ("-V", "--version"):
             asked.answer = f"{NAME} {VERSION}\n"
-        elif option in ("--budget", "--claims"):
-            if option in others:
-                raise Usage(f"{option} is given twice")
-            others[option] = value_of(option, equals, value, words)
-        elif not take(word, words, claim):
+        elif not (take(word, words, claim) or take(word, words, others, ("budget", "claims"))):
             raise Usage(f"unknown option {word}; see --help")
     if asked.answer is None:
-        asked.budget = time("--budget", others["--budget"]) if "--budget" in others else DEFAULT_BUDGET
-        asked.jobs = jobs(asked, files, claim, others.get("--claims"))
+        asked.budget = time("--budget", others["budget"]) if "budget" in others else DEFAULT_BUDGET
+        asked.jobs = jobs(asked, files, claim, others.get("claims"))
     return asked
 
 
