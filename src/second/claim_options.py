@@ -10,7 +10,7 @@ OF_BODIES = "rho", "inertia", "coin", "rod-mass"
 # The options of each kind of claim, besides --scene and --claim.
 STARTS = ("ratio", "max", "min", "exactly", "decided")
 KINDS = {
-    "collisions": ("ratio", *OF_BODIES, "max", "min", "exactly", "gap", "heavy-at-most"),
+    "collisions": ("ratio", *OF_BODIES, "max", "min", "exactly", "gap", "gaps", "heavy-at-most"),
     "initial-conditions": ("phi", "phidot", "y", "ydot", *STARTS),
     "incoming": STARTS,
     "adiabatic-bounce": ("delta", "heights", "margin", "exponent", "constant", "attained"),
@@ -23,7 +23,7 @@ SIGNED = span(number(lambda x: True, "a number or LO:HI"))
 LEVEL = number(lambda x: x >= 0, "a number of at least 0")
 READERS = {
     "ratio": mass_ratios, "rho": span(ratio), "inertia": span(ratio), "rod-mass": LEVEL, "coin": one_of(""),
-    "max": count, "min": count, "exactly": count,
+    "max": count, "min": count, "exactly": count, "gaps": count,
     "gap": number(lambda x: 0 <= x < 1, "a width of at least 0 and below 1"),
     "heavy-at-most": one_of("1"),
     "phi": SIGNED, "phidot": SIGNED, "y": SIGNED, "ydot": SIGNED,
@@ -96,7 +96,7 @@ def state_body(demand, given):
         raise Usage("bodies have no --ratio: their Q is --inertia")
     if demand["rho"] and demand["rho"][1] > 1:
         raise Usage(f"--rho is at most 1, not {given['rho'][:60]}")
-    if any(name in demand for name in ("max", "min", "gap")) and not (demand["rho"] and demand["inertia"]):
+    if any(name in demand for name in ("max", "min", "gap", "gaps")) and not (demand["rho"] and demand["inertia"]):
         raise Usage("a bound for a body needs --rho and --inertia, or --coin")
 
 

@@ -6,7 +6,7 @@ import gaps
 import plain
 import turning
 import wedge
-from demand import interval_text, part_text
+from demand import interval_text, part_text, ratio_text
 from judge import ends
 from tree import walk
 
@@ -43,7 +43,7 @@ class Staircase:
     def not_demanded(self, demand):
         low, high = demand.ratios(self.low, self.high)
         return demand.not_demanded([*(("inertia", "rho") if self.rho else ("ratio",)), "max", "min",
-                                    *(("gap",) if low < high else ()), *(("heavy-at-most",) if self.heavy_once else ())])
+                                    *(("gap", "gaps") if low < high else ()), *(("heavy-at-most",) if self.heavy_once else ())])
 
     def missing(self, demand):
         """What is demanded and not proved; None: nothing."""
@@ -58,8 +58,11 @@ class Staircase:
             return f"not proved: at most {most} collisions{where}"
         if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
             return f"not proved: at least {least} collisions{where}"
-        if demand["gap"] is not None and not gaps.is_known_but_in_gaps(self.pieces, low, high, demand["gap"]):
-            return f"not proved: the greatest number itself{where}, but in gaps such as are allowed"
+        width, number = demand["gap"], demand["gaps"]
+        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.pieces, low, high, width, number):
+            return (f"not proved: the greatest number itself{where}, but in gaps"
+                    f"{'' if width is None else f' of relative width {ratio_text(width)}'}"
+                    f"{'' if number is None else f', at most {number}'}")
         if demand["heavy-at-most"] and not self.heavy_once:
             return "not proved: the heavy mass hits the floor at most once"
         return None

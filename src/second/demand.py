@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 
-SHOWN = ("ratio", "inertia", "rho", "phi", "phidot", "y", "ydot", "max", "min", "gap", "heavy-at-most", "decided", "scene", "claim")
+SHOWN = ("ratio", "inertia", "rho", "phi", "phidot", "y", "ydot", "max", "min", "gap", "gaps", "heavy-at-most", "decided", "scene", "claim")
 
 
 class Demand(dict):
@@ -27,7 +27,7 @@ class Demand(dict):
 
     def bounds(self):
         """Is something demanded of all trajectories?"""
-        return any(name in self for name in ("ratio", "inertia", "rho", "max", "min", "gap", "heavy-at-most"))
+        return any(name in self for name in ("ratio", "inertia", "rho", "max", "min", "gap", "gaps", "heavy-at-most"))
 
     def is_exact(self):
         return self["max"] is not None and self["max"] == self["min"]
@@ -45,7 +45,7 @@ class Demand(dict):
 
     def not_demanded(self, names):
         """The end of the verdict: what was not demanded of these."""
-        left = [name for name in names if name not in self and not (self.is_exact() and name in ("gap", "decided"))]
+        left = [name for name in names if name not in self and not (self.is_exact() and name in ("gap", "gaps", "decided"))]
         return f" not-demanded={','.join(left)}" if self and left and not self.is_part else ""
 
     def other(self, scene, claim):

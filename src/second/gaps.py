@@ -9,31 +9,34 @@ from work import spend
 UPWARD = Context(prec=3, rounding=ROUND_CEILING)
 
 
-def widest(pieces, low, high):
-    """The greatest relative width of a gap in [low, high], low < high. Gaps that touch are one, and what is known at a single ratio
-    does not divide it."""
+def gaps_in(pieces, low, high):
+    """The greatest relative width of a gap in [low, high], low < high, and how many there are. Gaps that touch are one, and what is
+    known at a single ratio does not divide it."""
     known = [(max(a, low), min(b, high)) for a, b, u, v in pieces if u == v]
-    end, width = low, Fraction(0)
+    end, widest, number = low, Fraction(0), 0
     for a, b in [*((a, b) for a, b in known if a < b), (high, high)]:
         if a > end:
             spend(1000 + (a.numerator * end.denominator).bit_length() ** 2 // 100)
-            width = max(width, (a - end) / end)
+            widest, number = max(widest, (a - end) / end), number + 1
         end = b
-    return width
+    return widest, number
 
 
 def widest_text(pieces, low, high):
     """The same as the verdict has it: `0`, or rounded up to 3 digits. Of a single ratio `0` if N is known there, else `point`."""
     if low == high:
-        return "0" if is_known_but_in_gaps(pieces, low, high, 0) else "point"
-    width = widest(pieces, low, high)
-    return f"{UPWARD.divide(Decimal(width.numerator), Decimal(width.denominator)):.2e}" if width else "0"
+        return "0" if is_known_but_in_gaps(pieces, low, high, 0, 0) else "point"
+    widest, _ = gaps_in(pieces, low, high)
+    return f"{UPWARD.divide(Decimal(widest.numerator), Decimal(widest.denominator)):.2e}" if widest else "0"
 
 
-def is_known_but_in_gaps(pieces, low, high, width):
-    """Is N known in [low, high], but in gaps of at most this relative width, where it is one of two neighbours?"""
+def is_known_but_in_gaps(pieces, low, high, width, number):
+    """Is N known in [low, high], but in gaps of at most this relative width, or so many (None: any), where it is one of two
+    neighbours?"""
     if low == high:
         bounds = [(u, v) for a, b, u, v in pieces if a <= low <= b]
         return min((u for u, _ in bounds if u is not None), default=None) == max(v for _, v in bounds)
     asked = [(u, v) for a, b, u, v in pieces if (a < high and b > low if a < b else low <= a <= high)]
-    return all(u is not None and u <= v + 1 for u, v in asked) and widest(pieces, low, high) <= width
+    found = gaps_in(pieces, low, high)
+    return (all(u is not None and u <= v + 1 for u, v in asked)
+            and (width is None or found[0] <= width) and (number is None or found[1] <= number))

@@ -19,6 +19,7 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --exactly N           both
   --gap REL             demand the proof of the greatest number itself, at every ratio in question but in gaps of at
                         most this relative width, where it is one of two neighbouring numbers; gaps that touch are one
+  --gaps N              and that there are at most N of them
   --heavy-at-most 1     demand the proof that the heavy mass hits the floor at most once
   --inertia Q|LO:HI     the bodies in question: their Q = (d1/k)^2, in place of a mass ratio; and
   --rho RHO|LO:HI       their d2/d1, above 0 and at most 1

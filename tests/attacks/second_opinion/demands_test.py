@@ -46,18 +46,21 @@ class Demands(unittest.TestCase):
             low, high = Fraction(low), Fraction(high)
             self.assertEqual(gaps.widest_text(pieces, low, high), width)
             for allowed in (0, Fraction(1, 10**9), Fraction(3, 2000), Fraction(1, 3), 1, 9):
-                is_known = gaps.is_known_but_in_gaps(pieces, low, high, allowed)
+                is_known = gaps.is_known_but_in_gaps(pieces, low, high, allowed, None)
                 self.assertEqual(is_known, known is not None and allowed >= known, (low, high, allowed))
 
     def test_ranges(self):
         weak = [{"upper": "upper 10", "lower": "lower 2"}.get(line.split(" ")[0], line) for line in STAIRS]
         more = [f"upper {int(line[6:]) + 1}" if line.startswith("upper ") else line for line in STAIRS]
-        self.demand(weak, "--ratio 1:100 --max 10 --min 2", r"^VERIFIED .* open=17 widest-gap=9.90e\+1 .* min=2 not-demanded=gap$")
+        self.demand(weak, "--ratio 1:100 --max 10 --min 2", r"^VERIFIED .* open=17 widest-gap=9.90e\+1 .* min=2 not-demanded=gap,gaps$")
         self.demand(weak, "--ratio 1:100 --max 10 --gap 0.999", "^REJECTED line=201 code=claim-not-proved ")
         self.demand(weak, "--ratio 50 --gap 0.999", "^REJECTED .* code=claim-not-proved ")
         self.demand(more, "--ratio 1:100 --gap 0.999", "^REJECTED .* code=claim-not-proved ")
-        self.demand(STAIRS, "--gap 1e-6", "^VERIFIED .* widest-gap=1.00e-6 .* demanded-gap=1/1000000 not-demanded=ratio,max,min$")
+        self.demand(STAIRS, "--gap 1e-6", "^VERIFIED .* widest-gap=1.00e-6 .* demanded-gap=1/1000000 not-demanded=ratio,max,min,gaps$")
         self.demand(STAIRS, "--ratio 1:100 --gap 0.99e-6", "^REJECTED .* code=claim-not-proved ")
+        self.demand(STAIRS, "--ratio 1:100 --gaps 8 --gap 1e-6", "^VERIFIED .* demanded-gap=1/1000000 demanded-gaps=8 not-demanded=max,min$")
+        self.demand(STAIRS, "--ratio 1:100 --gaps 7", "^REJECTED .* code=claim-not-proved ")
+        self.demand(weak, "--ratio 1:100 --gaps 1", "^REJECTED .* code=claim-not-proved ")
         self.demand(STAIRS, "--ratio 5:11 --exactly 4", "^VERIFIED .* widest-gap=0 .* exactly=4$")
         self.demand(STAIRS, "--heavy-at-most 1", "^REJECTED .* code=claim-not-proved ")
         self.demand(STAIRS, "", "sha256=[0-9a-f]*$")

@@ -91,7 +91,7 @@ class Files(unittest.TestCase):
                       ["--ratio", "5:30"], ["--scene", "wedge"], ["--claim", "incoming"], ["--claim", "law", "--scene", "dumbbell"],
                       ["--claim", "collisions", "--scene", "dumbbell", "--ratio", "2", "--max", "3", "--min", "0"], ["--gap", "1e-6"],
                       ["--ratio", "5:11", "--gap", "0", "--max", "5"], ["--ratio", "5:12", "--gap", "0"], ["--heavy-at-most", "1"],
-                      ["--coin"], ["--ratio", "10", "--gap", "0"]):
+                      ["--coin"], ["--ratio", "10", "--gap", "0"], ["--gaps", "8"], ["--gaps", "7", "--gap", "0.01"]):
             line, code = second.verdict_line(STAIRS, words)
             self.assertEqual((code, line + "\n"), first(["--quiet", *words, STAIRS])[:2])
         self.assertEqual(first(["--max", "16", str(CERTIFICATES / "wedge-1-100.dbc")])[1].splitlines()[-1],
