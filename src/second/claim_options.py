@@ -19,17 +19,17 @@ KINDS = {
     "law": (),
 }
 
-SIGNED = span(number(lambda x: True, "a number or LO:HI"))
-LEVEL = number(lambda x: x >= 0, "a number of at least 0")
+ANY = number(lambda x: True, "a number")
 READERS = {
-    "ratio": mass_ratios, "rho": span(ratio), "inertia": span(ratio), "rod-mass": LEVEL, "coin": one_of(""),
+    "ratio": mass_ratios, "rho": span(ratio), "inertia": span(ratio), "coin": one_of(""),
+    "rod-mass": number(lambda x: x >= 0, "a number of at least 0"),
     "max": count, "min": count, "exactly": count, "gaps": count,
     "gap": number(lambda x: 0 <= x < 1, "a width of at least 0 and below 1"),
     "heavy-at-most": one_of("1"),
-    "phi": SIGNED, "phidot": SIGNED, "y": SIGNED, "ydot": SIGNED,
+    "phi": span(ANY), "phidot": span(ANY), "y": span(ANY), "ydot": span(ANY),
     "decided": number(lambda x: 0 <= x <= 1, "a share from 0 to 1"),
-    "delta": span(LEVEL), "heights": span(LEVEL), "margin": LEVEL, "exponent": LEVEL,
-    "constant": one_or_two(LEVEL), "attained": one_or_two(LEVEL),
+    "delta": span(ANY), "heights": span(ANY), "margin": ANY, "exponent": ANY,
+    "constant": one_or_two(ANY), "attained": one_or_two(ANY),
     "scene": one_of(*SCENES), "claim": one_of(*KINDS),
 }
 
@@ -72,7 +72,7 @@ def demand_of(given):
         demand["max"] = demand["min"] = demand.pop("exactly")
     if kind == "initial-conditions" and "ratio" in given and span(ratio)("--ratio", given["ratio"])[0] < 1:
         raise Usage(f"starts need a mass ratio of at least 1, heavy/light, not {given['ratio'][:60]}")
-    if kind != "adiabatic-bounce" and any(len(demand[name] or ()) > 1 for name in ("constant", "attained")):
+    if kind != "adiabatic-bounce" and any(len(set(demand[name] or ())) > 1 for name in ("constant", "attained")):
         raise Usage(f"two numbers are for adiabatic-bounce: {kind} has one --constant and one --attained")
     if demand["scene"] == "body" or any(name in given for name in OF_BODIES):
         state_body(demand, given)

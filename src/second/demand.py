@@ -2,8 +2,7 @@
 
 from fractions import Fraction
 
-
-SHOWN = ("ratio", "inertia", "rho", "phi", "phidot", "y", "ydot", "max", "min", "gap", "gaps", "heavy-at-most", "decided", "scene", "claim")
+SHOWN = ("ratio", "inertia", "rho", "max", "min", "gap", "gaps", "heavy-at-most", "scene", "claim", "phi", "phidot", "y", "ydot", "decided")
 
 
 class Demand(dict):
