@@ -143,6 +143,13 @@ class Program(unittest.TestCase):
             rows.write(f"{Q10}\t--ratio 10 --exactly 4\tremark\n{STAIRS}\t--ratio 1:100 --max 10 --gap 1e-7\n{coin}\t--coin --max 4\n")
             rows.flush()
             self.assertEqual(run(["--claims", rows.name])[:2], first(["--claims", rows.name])[:2])
+            rows.seek(0)
+            rows.truncate()
+            rows.write("q-10.dbc\t--ratio 10 --exactly 4\n")
+            rows.flush()
+            for name in ("-", "/dev/stdin", "/dev/fd/0"):  # which have no folder
+                with open(rows.name, "rb") as list_file:
+                    self.assertEqual(run(["--claims", name], stdin=list_file, cwd=CERTIFICATES)[0], 0)
 
     def test_it_runs_as_it_is_and_optimized_and_packed(self):
         """From the folder, with -O, isolated, and packed, it prints the same; the packed file has the same bytes each time."""
