@@ -49,14 +49,10 @@ Numbers rod(double q, double mu) {
 // pi / (2 atan(1/sqrt(Q))) is n.
 double tie(double n) { return 1 / std::pow(std::tan(half_turn / 2 / n), 2); }
 
-// Where random bodies do not come: rods with a little mass (L76), half of them where that has more collisions
-// than the wedge of the higher humps, or just below a tie.
+// Rods with a little mass (L76), beyond q_c(4) or just below a tie: where random bodies do not come.
 Numbers extremal_numbers(Sampler& sampler) {
-    const double below = 1 - sampler.log_uniform(1e-6, 1e-2);
-    const double q = sampler.coin()   ? sampler.uniform(4.6034, 5.82)
-                     : sampler.coin() ? tie(std::round(sampler.uniform(3, 9))) * below
-                                      : sampler.log_uniform(1, 30);
-    return rod(q, sampler.log_uniform(1e-7, 1e-1));
+    const double below = tie(std::round(sampler.uniform(3, 9))) * (1 - sampler.log_uniform(1e-6, 1e-2));
+    return rod(sampler.coin() ? below : sampler.uniform(4.6034, 5.82), sampler.log_uniform(1e-7, 1e-1));
 }
 
 // On the floor just after a collision, at the corner distance e of the right corner: to its right the light
@@ -174,9 +170,7 @@ TEST_CASE(
     for (int i = 0; i < trials(20'000); ++i) {
         const bool symmetric = sampler.coin();
         Numbers n = random_numbers(sampler, symmetric);
-        if (symmetric && sampler.coin())
-            n.q = tie(std::round(sampler.uniform(2, 7))) *
-                  (sampler.coin() ? 1 : 1 - sampler.log_uniform(1e-6, 1e-2));
+        if (symmetric && sampler.coin()) n.q = tie(std::round(sampler.uniform(2, 7)));
         const bool extremal = !symmetric && sampler.coin();
         if (extremal) n = extremal_numbers(sampler);
         const std::size_t wedge = whole_from(half_turn / n.wedge());
