@@ -12,7 +12,8 @@ struct Phrases {
 };
 Phrases phrases_of(std::string_view scene) {
     if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
-    if (scene == "body") return {"motion of the body without a corner hits the floor", "motion hits it"};
+    if (scene == "body")
+        return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
     return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
                 " wedge hits its walls",
             "trajectory hits them"};

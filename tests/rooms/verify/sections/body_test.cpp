@@ -242,9 +242,8 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     CHECK(exactly.last().ends_with(
         " demanded-inertia=4/1:4/1 demanded-rho=1/1:1/1 exactly=4 demanded-scene=body"));
     CHECK(make::has(exactly,
-                    "Proved: at Q 4, at rho 1, no motion of the body without a corner hits the floor more "
-                    "than 4 times, and some "
-                    "motion hits it 4 times.\n"));
+                    "Proved: at Q 4, at rho 1, no motion of the body in a plane, without a corner, hits the "
+                    "floor more than 4 times, and some motion hits it 4 times.\n"));
     CHECK(
         asked("--rho 1 --inertia 4 --max 3").last().ends_with("at most 3 collisions for every Q in 4/1:4/1"));
     CHECK(asked("--inertia 4 --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
