@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 from fixed import greatest, half_pi, interval, least, pi, sin_cos
-from rays import at_most, earliest, latest, reflected
+from rays import at_most, earliest, latest, reflected, slope_above
 from turning import COVERS, WITNESSES  # this section's own, too
 from turning import low_ray_at_most, power_of_two
 
@@ -101,8 +101,8 @@ def departure_at_most(box, limit):
         else:
             x_high = contact_high
             sine_high, w = sin_cos(x_high)
-        numerator, d = reflected(w.lower(), kappa_high, r_hi)
-        kappa_high = least((numerator / d).upper(), 1) if d > 0 else interval(1)
+        kappa_high = slope_above(w, kappa_high, r_hi)
+        kappa_high = interval(1) if kappa_high is None else least(kappa_high, 1)
         if contact_high is None:
             kappa_high = greatest(kappa_high, 0)
         x, (sine, cosine) = contact, sin_cos(contact)
