@@ -107,6 +107,7 @@ def set_precision(bits):
         return
     if Interval:
         Interval.lo = Interval.hi = property(_outlived)
+    spend(2000)
     Interval = type("Interval", (_Interval,), {"__slots__": ()})
     _bits, _term_cost = bits, 350 + bits + bits * bits // 2600
     if bits not in kept:
@@ -246,6 +247,7 @@ def sin_cos(x):
     first = -(-x.lo // (half.hi if x.lo >= 0 else half.lo))
     last = x.hi // (half.lo if x.hi >= 0 else half.hi)
     if last - first >= 3:
+        spend(10 * _term_cost)
         return hull(-1, 1), hull(-1, 1)
     (sine, cosine), (sine_end, cosine_end) = _sin_cos_end(x.lo), _sin_cos_end(x.hi)
     sine, cosine = hull(sine, sine_end), hull(cosine, cosine_end)
