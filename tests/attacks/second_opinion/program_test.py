@@ -86,6 +86,15 @@ class Files(unittest.TestCase):
             self.assertIn(found, self.verdict(text))
         self.assertIn("s VERIFIED ", self.verdict(packed))
 
+    def test_a_start_beside_a_corner(self):
+        """It has two collisions, where the tangent of the floor leads from the first one to a ray that misses by a hair."""
+        one = body(second.PROJECT / "tests/attacks/false_claims/starts-beside-corner.dbc")
+        two = [line.replace("bits 53", "bits 400").replace("between 1 1", "between 2 2").replace("exactly 1 h", "exactly 2 h") for line in one]
+        with tempfile.NamedTemporaryFile() as file:
+            for lines, code in ((one, 1), (two, 0)):
+                Path(file.name).write_bytes(signed(lines))
+                self.assertEqual(second.verdict_line(file.name, ["--claim", "initial-conditions"])[1], code)
+
     def test_unsupported(self):
         lines = body(Q10)
         for old, new in (("dumbbell-certificate 1", "dumbbell-certificate 2"), ("lemmas 1", "lemmas 2"),
@@ -191,6 +200,9 @@ class Program(unittest.TestCase):
         self.assertRegex(line, r"^s LIMIT line=[1-9]\d\d+ more work than the budget of 0.1 s: --budget allows more\n$")
         self.assertEqual((code, run(words)), (4, (4, line, "")))
         self.assertEqual(run(["--budget=0s", Q10])[0], 4)
+        # All its leaves are refused at two precisions, and the third has 9,000 bits.
+        precise = Path(__file__).with_name("many-bits.dbc.gz")
+        self.assertEqual([run(["--budget", time, precise])[0] for time in ("0.3s", "1s")], [4, 0])
         for time in ("", "s", "10", "10d", "-1s", "1/2s"):
             self.assertEqual(run(["--budget", time, Q10])[0], 2)
 
