@@ -101,7 +101,8 @@ _half_pi = Interval = None
 
 
 def set_precision(bits):
-    """Each precision has a class of intervals. When it ends, they lose their ends: whoever asks for these then is told."""
+    """From here on. Each precision has a class of intervals; when it is over, they lose their ends, so that no operation takes
+    them for others."""
     global _bits, _half_pi, _term_cost, Interval
     if bits == _bits and bits in kept:
         return

@@ -7,7 +7,7 @@ GREATEST_STEPS, GREATEST_LATE_STEPS, GREATEST_BOUND = 1000, 64, 10 ** 6
 
 
 def general_bound(r):
-    """U: at least G of every ray at every r' >= r."""
+    """U: at least G of every ray with c >= 0 and kappa >= -r' at every r' >= r."""
     r_lo = r.lower()
     bound = greatest_count(pi() * r_lo, r_lo, r_lo, GREATEST_BOUND)
     if bound is None:
@@ -41,6 +41,7 @@ class Rays:
         self.c = a if wall == "bridge" else a + pi() * k
 
     def passes_bridge(self):
+        """Is it certain that no ray meets the bridge ahead?"""
         r_hi = self.r.upper()
         return (self.wall == "bridge" or self.k.lower() >= self.r
                 or misses((self.a / r_hi).lower(), (self.k / r_hi).lower(), pi()))

@@ -12,7 +12,7 @@ def returning(slope):
 
 
 def new_slope(w, kappa, r):
-    """The slopes after a light wall that may come back, or None."""
+    """Encloses the slopes after a light wall that may come back; None if it is certain that none does."""
     numerator, d = reflected(w, kappa, r)
     numerator = meet(numerator, kappa * (square(w) - r) + 2 * r * w)
     d = meet(d, w * (w - 2 * kappa) - r)
@@ -33,7 +33,8 @@ def new_slope(w, kappa, r):
 
 
 def wall(c, kappa, r):
-    """One flight to a light wall: None if all rays miss, else (x, sin x, the new slopes or None)."""
+    """One flight to a light wall: None if all rays certainly miss, else what encloses x, sin x and the new slopes (or None) of
+    those that do not."""
     c = greatest(c, 0)
     x_low = earliest(c.lower(), kappa.lower())
     if x_low is None:

@@ -21,7 +21,7 @@ def _guess(c, kappa, end):
 
 
 def crest(kappa, end):
-    """A point of [0, end], about where sin x - kappa x is greatest."""
+    """A point of [0, end], about where sin x - kappa x is greatest: a guess, on either side of that."""
     z = interval(min(math.acos(min(max(float(kappa), -1.0), 1.0)), float(end) - 1e-5)).middle()
     try:
         for _ in range(1 + precision() // 100):  # Newton's steps double the digits

@@ -88,12 +88,11 @@ class Files(unittest.TestCase):
 
     def test_a_start_beside_a_corner(self):
         """It has two collisions, where the tangent of the floor leads from the first one to a ray that misses by a hair."""
-        one = body(second.PROJECT / "tests/attacks/false_claims/starts-beside-corner.dbc")
-        two = [line.replace("bits 53", "bits 400").replace("between 1 1", "between 2 2").replace("exactly 1 h", "exactly 2 h") for line in one]
+        lines = body(second.PROJECT / "tests/attacks/false_claims/starts-beside-corner.dbc")
         with tempfile.NamedTemporaryFile() as file:
-            for lines, code in ((one, 1), (two, 0)):
-                Path(file.name).write_bytes(signed(lines))
-                self.assertEqual(second.verdict_line(file.name, ["--claim", "initial-conditions"])[1], code)
+            for number, code in (("1", 1), ("2", 0)):
+                Path(file.name).write_bytes(signed([line.replace("n 1 1", f"n {number} {number}").replace("y 1 h", f"y {number} h") for line in lines]))
+                self.assertEqual(second.verdict_line(file.name)[1], code)
 
     def test_unsupported(self):
         lines = body(Q10)
