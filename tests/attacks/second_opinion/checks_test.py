@@ -13,7 +13,7 @@ from pathlib import Path
 import second
 
 BEFORE = """
-import fixed, flight, full, grammar, judge, rays, tree, work
+import contact, fixed, flight, full, grammar, judge, rays, tree, work
 from fixed import *
 from rays import *
 from fractions import Fraction
@@ -23,6 +23,14 @@ def refuses(function, *arguments):
         function(*arguments)
     except (Undecided, ValueError, TypeError):
         return True
+
+def struck(phi):
+    # The rays after a fall to the light mass's peak, at about this angle.
+    box = {"phi": phi, "phidot": (2, 2), "y": (0.505, 0.505), "ydot": (-0.5, -0.5), "q": (1, 1)}
+    return flight.first_reflection(contact.Air(box), "light", hull(0.001, 0.02))
+
+def within(a, k, low, high):
+    return flight.counts_within(flight.Rays("bridge", a, k, one), low, high)
 
 def cost(function):
     work.allow(1000)
@@ -62,6 +70,10 @@ CHECKS = (
     ("full", "sin_cos(t)[1] <= least(kappa / r_lo, kappa / r_hi)", "True", "full.steep_time(one, *[hull(1, 3)] * 2).lo == pi().lo"),
     ("flight", "if not c > 0:", "if False:", "refuses(flight.Rays('bridge', zero, zero, one)._contact, zero, zero, half_pi())"),
     ("flight", "if not (number > 0 or number < 0):", "if False:", "refuses(flight.sign, hull(-1, 1), '')"),
+    ("flight", "if not (angle > peak or angle < peak):", "if False:", "refuses(struck, (-1.6, -1.54))"),
+    ("flight", "if (angle > peak) != (onward > 0):", "if False:", "struck((-1.62, -1.62)) is None"),
+    ("flight", "(low is None or n + 1 >= low)", "True", "not within(half, zero, 2, None)"),
+    ("flight", "(high is None or n + 1 <= high)", "True", "not within(half, zero, None, 0)"),
     ("fixed", "    spend(2000)\n", "", "cost(lambda: [set_precision(96 + k % 2) for k in range(1000)]) > 10 ** 6"),
     ("fixed", "spend(3000 + 30 * bits + bits * bits // 50)", "pass", "cost(lambda: set_precision(9216)) > 10 ** 6"),
     ("fixed", "    if bits not in kept:", "    if True:", "cost(lambda: [set_precision(9216 + k % 2) for k in range(100)]) < 10 ** 7"),
