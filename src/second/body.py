@@ -27,7 +27,7 @@ class Body:
         self.r = span(interval(1 / q[1]), interval(1 / q[0]))
         self.rho = span(interval(rho[0]), interval(rho[1]))
         self.g = span(interval(1 / (q[1] * rho[1])), interval(1 / (q[0] * rho[0])))
-        self.massless = q[0] == q[1] and rho[0] == rho[1] and q[0] * rho[0] == 1
+        self.massless = q[0] * rho[0] == q[1] * rho[1] == 1  # of no range, as both grow
 
     def contacts(self, flight):
         """Encloses the first contacts with the bridge of departures, and says whether all have one; None if none has."""

@@ -13,7 +13,7 @@ from pathlib import Path
 import second
 
 BEFORE = """
-import contact, fixed, flight, full, grammar, judge, rays, tree, work
+import body, contact, fixed, flight, full, grammar, judge, rays, tree, work
 from fixed import *
 from rays import *
 from fractions import Fraction
@@ -74,6 +74,7 @@ CHECKS = (
     ("flight", "if (angle > peak) != (onward > 0):", "if False:", "struck((-1.62, -1.62)) is None"),
     ("flight", "(low is None or n + 1 >= low)", "True", "not within(half, zero, 2, None)"),
     ("flight", "(high is None or n + 1 <= high)", "True", "not within(half, zero, None, 0)"),
+    ("body", "q[0] * rho[0] == q[1] * rho[1] == 1", "q[0] * rho[0] == 1", "not body.Body((2, 3), (0.5, 0.5)).massless"),
     ("fixed", "    spend(2000)\n", "", "cost(lambda: [set_precision(96 + k % 2) for k in range(1000)]) > 10 ** 6"),
     ("fixed", "spend(3000 + 30 * bits + bits * bits // 50)", "pass", "cost(lambda: set_precision(9216)) > 10 ** 6"),
     ("fixed", "    if bits not in kept:", "    if True:", "cost(lambda: [set_precision(9216 + k % 2) for k in range(100)]) < 10 ** 7"),
