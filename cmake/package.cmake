@@ -21,8 +21,8 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 set(exactly "(= ${PROJECT_VERSION})")
 set(interface libdumbbell${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set(about "Two point masses on a massless rod fly, without gravity, towards a
-flat floor and bounce elastically. dumbbell finds the greatest number of
+set(about "Two point masses on a massless rod fly in a plane, without gravity, towards
+a flat floor and bounce elastically. dumbbell finds the greatest number of
 times that they can hit it, for a mass ratio or for a whole range, by
 interval arithmetic, and writes a certificate that an independent verifier
 re-checks.")

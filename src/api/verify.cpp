@@ -57,9 +57,11 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
     time.next();
     job.settings.budget = time.time();
     dumbbell_verify::Arguments claimed(std::move(options));
+    dumbbell_verify::ClaimWords words;
     while (claimed.next()) {
-        claim_option(claimed, job.settings);
+        claim_option(claimed, words);
     }
+    state_claim(words, job.settings);
     return job;
 }
 

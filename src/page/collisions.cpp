@@ -213,10 +213,10 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
         pieces.add(piece_json(piece, certificate, kinds, budget));
     }
     const auto& heights = certificate.heights;
-    const std::string where = heights
-                                  ? fmt::format("{} with \u03c1 = d2/d1{} (as long as it meets no corner)",
-                                                row.where, text_of(*heights))
-                                  : std::string(row.where);
+    const std::string where =
+        heights ? fmt::format("{} with \u03c1 = d2/d1{} (in a plane, as long as it meets no corner)",
+                              row.where, text_of(*heights))
+                : std::string(row.where);
     return Json::object({{"claim", "collisions"},
                          {"scene", name(certificate.scene)},
                          {"system", heights ? fmt::format("The body with \u03c1{}", text_of(*heights))

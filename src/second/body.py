@@ -3,9 +3,9 @@
 from collections import namedtuple
 
 from failure import Limit
-from fixed import greatest, half_pi, interval, least, meet, pi, sin_cos, square
+from fixed import greatest, half_pi, interval, least, meet, pi, sin_cos, span, square
 from full import below_time, root, steep_time
-from plain import new_slope, returning, span, wall
+from plain import new_slope, returning, wall
 from rays import earliest, latest
 from work import spend
 
@@ -27,7 +27,7 @@ class Body:
         self.r = span(interval(1 / q[1]), interval(1 / q[0]))
         self.rho = span(interval(rho[0]), interval(rho[1]))
         self.g = span(interval(1 / (q[1] * rho[1])), interval(1 / (q[0] * rho[0])))
-        self.massless = q[0] == q[1] and rho[0] == rho[1] and q[0] * rho[0] == 1
+        self.massless = q[0] * rho[0] == q[1] * rho[1] == 1  # of no range, as both grow
 
     def contacts(self, flight):
         """Encloses the first contacts with the bridge of departures, and says whether all have one; None if none has."""
@@ -168,7 +168,7 @@ class Bodies:
             t0, t1 = box["t"]
             if op == "outside":
                 return interval(t0) > pi() or box["rho"][0] * (eta0 - 1) >= 1
-            t = span(interval(t0), least(t1, pi()))
+            t = span(least(t0, pi()), least(t1, pi()))
             sine, cosine = sin_cos(t)
             body = Body(box["q"], box["rho"])
             ray = Flight(body.rho * (cosine + eta), body.rho * (sine + (cosine + eta) * (pi() - t)))
@@ -176,7 +176,7 @@ class Bodies:
         e0, e1 = box["e"]
         if op == "outside":
             return interval(e0) > half_pi() or eta0 - sin_cos(interval(e0))[1] >= 1
-        e = span(interval(e0), least(e1, half_pi()))
+        e = span(least(e0, half_pi()), least(e1, half_pi()))
         sine, cosine = sin_cos(e)
         return Body(box["q"], box["rho"]).at_most(Flight(eta - cosine, None, e, sine), hints[0], False)
 

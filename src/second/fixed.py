@@ -1,19 +1,21 @@
 """Intervals whose ends are integers: n stands for n / 2**bits.
 
 Every rounding is a floor or a ceiling of exact integers; no floating-point number takes part in any bound.
-The precision is one for the whole program: `set_precision` first, and keep no interval across a change of it.
+The precision is one for the whole program: `set_precision` first. An interval made before that raises ValueError.
 """
 
 from fractions import Fraction
 
-from work import spend
+from work import kept, spend
+
+GREATEST_KEPT = 64  # precisions whose pi is kept
 
 
 class Undecided(Exception):
     """The enclosures of this precision are too wide to go on."""
 
 
-class Interval:
+class _Interval:
     """The real numbers from lo / 2**bits to hi / 2**bits. A comparison is True only if it holds for all of them:
     `not a < b` does not mean `a >= b`."""
 
@@ -53,10 +55,8 @@ class Interval:
     def __truediv__(self, other):
         other = interval(other)
         a, b, c, d = self.lo << _bits, self.hi << _bits, other.lo, other.hi
-        if d < 0:
-            a, b, c, d = -b, -a, -d, -c
-        if c <= 0:
-            raise Undecided("the divisor may be 0")
+        if c <= 0:  # who divides by what is negative changes both signs
+            raise Undecided("the divisor may be 0 or negative")
         return Interval(a // (d if a >= 0 else c), -(-b // (c if b >= 0 else d)))
 
     def __rtruediv__(self, other):
@@ -92,15 +92,31 @@ class Interval:
             return 1e300 if self.lo > 0 else -1e300
 
 
+def _outlived(_interval):
+    raise ValueError("an interval of another precision")
+
+
 _bits = _term_cost = 0
-_half_pi = None
+_half_pi = Interval = None
 
 
 def set_precision(bits):
-    global _bits, _half_pi, _term_cost
-    if bits != _bits:
-        _bits, _term_cost = bits, 350 + bits + bits * bits // 2600
-        _half_pi = _enclose_half_pi()
+    """From here on. Each precision has a class of intervals; when it is over, they lose their ends, so that no operation takes
+    them for others."""
+    global _bits, _half_pi, _term_cost, Interval
+    if bits == _bits and bits in kept:
+        return
+    if Interval:
+        Interval.lo = Interval.hi = property(_outlived)
+    spend(2000)
+    Interval = type("Interval", (_Interval,), {"__slots__": ()})
+    _bits, _term_cost = bits, 350 + bits + bits * bits // 2600
+    if bits not in kept:
+        if len(kept) == GREATEST_KEPT:
+            kept.clear()
+        spend(3000 + 30 * bits + bits * bits // 50)
+        kept[bits] = _enclose_half_pi()
+    _half_pi = Interval(*kept[bits])
 
 
 def precision():
@@ -116,6 +132,13 @@ def interval(value):
     value = Fraction(value)
     scaled = value.numerator << _bits
     return Interval(scaled // value.denominator, -(-scaled // value.denominator))
+
+
+def span(low, high):
+    """The interval from the lower end of one to the upper end of the other, if it is one."""
+    if low.lo > high.hi:
+        raise Undecided("an empty interval")
+    return Interval(low.lo, high.hi)
 
 
 def point(n):
@@ -175,7 +198,7 @@ def _enclose_half_pi():
 
     (a, pad_a), (b, pad_b) = atan(5), atan(239)
     middle, pad = 8 * a - 2 * b, 8 * pad_a + 2 * pad_b
-    return Interval((middle - pad) >> guard, -(-(middle + pad) >> guard))
+    return (middle - pad) >> guard, -(-(middle + pad) >> guard)
 
 
 def _sin_cos_number(z):
@@ -186,6 +209,8 @@ def _sin_cos_number(z):
     and both series alternate and decrease from there on, so what is left out is at most 2 units in each."""
     term, k = 1 << _bits, 0
     sums = [0, 0]
+    if not 0 <= z <= 2 << _bits:
+        raise ValueError("the series of sine and cosine")
     while term:
         sums[k & 1] += -term if k & 2 else term
         k += 1
@@ -223,6 +248,7 @@ def sin_cos(x):
     first = -(-x.lo // (half.hi if x.lo >= 0 else half.lo))
     last = x.hi // (half.lo if x.hi >= 0 else half.hi)
     if last - first >= 3:
+        spend(10 * _term_cost)
         return hull(-1, 1), hull(-1, 1)
     (sine, cosine), (sine_end, cosine_end) = _sin_cos_end(x.lo), _sin_cos_end(x.hi)
     sine, cosine = hull(sine, sine_end), hull(cosine, cosine_end)

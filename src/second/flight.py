@@ -1,13 +1,13 @@
 """The first reflection of a box of states, and bounds of the number of collisions after it: format-initial.md, 5 and 6."""
 
-from fixed import Undecided, greatest, half_pi, hull, interval, meet, pi, sin_cos, square
+from fixed import Undecided, greatest, half_pi, hull, interval, meet, pi, sin_cos, span, square
 from rays import earliest, greatest_count, latest, least_count, misses, reflected
 
 GREATEST_STEPS, GREATEST_LATE_STEPS, GREATEST_BOUND = 1000, 64, 10 ** 6
 
 
 def general_bound(r):
-    """U: at least G of every ray at every r' >= r."""
+    """U: at least G of every ray with c >= 0 and kappa >= -r' at every r' >= r."""
     r_lo = r.lower()
     bound = greatest_count(pi() * r_lo, r_lo, r_lo, GREATEST_BOUND)
     if bound is None:
@@ -26,6 +26,13 @@ def greatest_number(r):
     return min(1 + 2 * general_bound(r), 2 + 2 * top)
 
 
+def sign(number, what):
+    """1 or -1. What is divided by a number that may be negative is multiplied by it, as the divisor is."""
+    if not (number > 0 or number < 0):
+        raise Undecided(what)
+    return 1 if number > 0 else -1
+
+
 class Rays:
     """A box of rays: the wall that they leave ("bridge" or "light"), a and k."""
 
@@ -34,6 +41,7 @@ class Rays:
         self.c = a if wall == "bridge" else a + pi() * k
 
     def passes_bridge(self):
+        """Is it certain that no ray meets the bridge ahead?"""
         r_hi = self.r.upper()
         return (self.wall == "bridge" or self.k.lower() >= self.r
                 or misses((self.a / r_hi).lower(), (self.k / r_hi).lower(), pi()))
@@ -56,10 +64,13 @@ class Rays:
         return self._off_light_wall() if self.passes_bridge() else self._off_bridge()
 
     def _contact(self, c, k, end):
-        low, high = earliest(c.lower(), k.lower(), end), latest(c.upper(), k.upper(), end)
-        if not c > 0 or low is None or high is None:
+        """Encloses the contacts of all rays, if it is certain that all have one."""
+        if not c > 0:
             raise Undecided("the next collision")
-        return hull(low, high)
+        low, high = earliest(c.lower(), k.lower(), end), latest(c.upper(), k.upper(), end)
+        if low is None or high is None:
+            raise Undecided("the next collision")
+        return span(low, high)
 
     def _off_light_wall(self):
         k, r = self.k, self.r
@@ -87,13 +98,10 @@ class Rays:
             return 1 - r * square(at_w) + 2 * at_k * at_w
 
         d = denominator(w, k)
-        if not (d > 0 or d < 0):
-            raise Undecided("the direction behind the bridge")
-        slope = hull(*((2 * r * at_w - at_k * (1 - r * square(at_w))) / denominator(at_w, at_k)
+        onward = sign(d, "the direction behind the bridge")
+        slope = hull(*((2 * r * at_w - at_k * (1 - r * square(at_w))) / (denominator(at_w, at_k) * onward)
                        for at_w, at_k in ((w.lower(), k.upper()), (w.upper(), k.lower()))))
-        if d > 0:
-            return Rays("bridge", r * sine + slope * (pi() - x), slope, r)
-        return Rays("bridge", r * sine - slope * x, -slope, r)
+        return Rays("bridge", r * sine + slope * (pi() - x if onward > 0 else x), slope, r)
 
 
 def counts_within(rays, low, high):
@@ -121,15 +129,15 @@ def counts_within(rays, low, high):
 
 
 def first_angle(air, mass, times):
-    """phi' in the mean value form and as phi + w T."""
+    """Encloses phi' in the mean value form and as phi + w T; the clearances fall at all times of T, else Undecided."""
     at, moment = air.middle(), times.middle()
-    t = meet(times, moment - at.clearance(mass, moment) / at.clearance_rate(mass, times))
+    t = meet(times, moment + at.clearance(mass, moment) / -at.clearance_rate(mass, times))
     plain = air.phi + air.w * times
     change = (air.v * ((air.phi - at.phi) + times * (air.w - at.w))
               - air.w * ((air.h - at.h) + times * (air.v - at.v)))
     if mass == "heavy":
         change = change + air.w * sin_cos(plain)[0] * (air.r - at.r)
-    return meet(plain, at.phi + at.w * t + change / air.clearance_rate(mass, times))
+    return meet(plain, at.phi + at.w * t - change / -air.clearance_rate(mass, times))
 
 
 def first_reflection(air, mass, times):
@@ -138,12 +146,10 @@ def first_reflection(air, mass, times):
     c = sin_cos(angle)[1]
     falls = air.v < 0
     if falls:
-        steepness, sign = air.w / -air.v, 1
+        steepness, turn = air.w / -air.v, 1
     else:
-        sign = 1 if air.w > 0 else -1 if air.w < 0 else 0
-        if not sign:
-            raise Undecided("neither falling nor turning")
-        steepness = air.v / air.w
+        turn = sign(air.w, "neither falling nor turning")
+        steepness = air.v * turn / (air.w * turn)
 
     def direction(m, c):
         """D and P."""
@@ -154,16 +160,14 @@ def first_reflection(air, mass, times):
         return base - 2 * side * m * c, -m * base - 2 * side * r * c
 
     d, p = direction(steepness, c)
-    d, p = sign * d, sign * p
+    d, p = turn * d, turn * p
     if p > 0 and p >= d and p >= -d:
         return None
-    if not (d > 0 or d < 0):
-        raise Undecided("the direction behind the first contact")
-    onward = 1 if d > 0 else -1
+    onward = sign(d, "the direction behind the first contact")
     ends = ((steepness.lower(), c.lower()), (steepness.upper(), c.upper())) if mass == "light" else (
         (steepness.lower(), c.upper()), (steepness.upper(), c.lower()))
     slopes = [direction(*end) for end in ends]
-    slope = hull(*(at_p / at_d for at_d, at_p in slopes)) * onward
+    slope = hull(*(at_p * turn / (at_d * turn * onward) for at_d, at_p in slopes))
 
     # phi' lies on one hump, [n pi, (n + 1) pi]; light humps have odd n.
     n = angle.lo // pi().lo

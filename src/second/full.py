@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 from fixed import greatest, half_pi, interval, least, pi, sin_cos
-from rays import at_most, earliest, latest, reflected
+from rays import at_most, earliest, latest, reflected, slope_above
 from turning import COVERS, WITNESSES  # this section's own, too
 from turning import low_ray_at_most, power_of_two
 
@@ -42,7 +42,7 @@ def clears_bridge(h, kappa, r_hi):
 
 
 def steep_time(kappa, r_lo, r_hi):
-    """A T at which the bridge is certainly no steeper than the rays of slope kappa; pi if none is found."""
+    """A T at which the bridge of no r in [r_lo, r_hi] is steeper than the rays of slope kappa, certainly; pi if none is found."""
     cosine = min(float(kappa) / float(r_lo), float(kappa) / float(r_hi)) - 1e-12
     if cosine > -1:
         t = interval(math.acos(min(cosine, 1.0)))
@@ -52,7 +52,8 @@ def steep_time(kappa, r_lo, r_hi):
 
 
 def below_time(h, kappa, r_lo):
-    """A T < pi at which the ray h + kappa t is certainly below the bridge, about the least one; None if none is found."""
+    """A T in (0, pi) at which the ray h + kappa t is certainly below the bridge of each r >= r_lo, about the least; None if none
+    is found."""
     height, slope, r = float(h), float(kappa), float(r_lo)
     low, high = 0.0, math.acos(min(max(slope / r, -1.0), 1.0))
     for _ in range(60):
@@ -101,8 +102,8 @@ def departure_at_most(box, limit):
         else:
             x_high = contact_high
             sine_high, w = sin_cos(x_high)
-        numerator, d = reflected(w.lower(), kappa_high, r_hi)
-        kappa_high = least((numerator / d).upper(), 1) if d > 0 else interval(1)
+        kappa_high = slope_above(w, kappa_high, r_hi)
+        kappa_high = interval(1) if kappa_high is None else least(kappa_high, 1)
         if contact_high is None:
             kappa_high = greatest(kappa_high, 0)
         x, (sine, cosine) = contact, sin_cos(contact)

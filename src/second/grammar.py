@@ -6,6 +6,7 @@ from fractions import Fraction
 from math import gcd
 
 from failure import Rejected
+from work import spend
 
 GREATEST_LINE = 4096  # bytes, with its line feed
 
@@ -106,6 +107,7 @@ class Lines:
                 raise self.wrong("line", "more than 4096 bytes")
             raise self._ends or self.wrong("truncated", "the text ends too early")
         self._at = end + 1
+        spend(1500 + 30 * len(line))  # long numbers are read, and compared later
         fields = line.decode("ascii").split(" ")
         if "" in fields:
             raise self.wrong("line", "empty, or a space too many")

@@ -1,14 +1,9 @@
 """Section plain: format-sections.md, section 2; lemma L16. States are carried as intervals."""
 
-from fixed import Interval, Undecided, greatest, half_pi, interval, least, meet, pi, sin_cos, square
+from fixed import Undecided, greatest, half_pi, interval, least, meet, pi, sin_cos, span, square
 from full import CHARTS, COVERS, LEAVES, WITNESSES, root  # this section's own, too
 from full import below_time, is_outside, once, steep_time
 from rays import earliest, latest, reflected
-
-
-def span(low, high):
-    """The interval from the lower end of one to the upper end of the other."""
-    return Interval(low.lo, high.hi)
 
 
 def returning(slope):
@@ -17,7 +12,7 @@ def returning(slope):
 
 
 def new_slope(w, kappa, r):
-    """The slopes after a light wall that may come back, or None."""
+    """Encloses the slopes after a light wall that may come back; None if it is certain that none does."""
     numerator, d = reflected(w, kappa, r)
     numerator = meet(numerator, kappa * (square(w) - r) + 2 * r * w)
     d = meet(d, w * (w - 2 * kappa) - r)
@@ -26,7 +21,8 @@ def new_slope(w, kappa, r):
     if not d > 0:
         if not numerator > 0:
             raise Undecided("the reflected direction")
-        return returning(span(numerator.lower() / d.upper(), interval(1)))
+        flattest = numerator.lower() / d.upper()
+        return returning(span(flattest, greatest(flattest, 1)))
     slope = numerator / d
     if w > 0:
         a = (w - r / w) / 2
@@ -37,7 +33,8 @@ def new_slope(w, kappa, r):
 
 
 def wall(c, kappa, r):
-    """One flight to a light wall: None if all rays miss, else (x, sin x, the new slopes or None)."""
+    """One flight to a light wall: None if all rays certainly miss, else what encloses x, sin x and the new slopes (or None) of
+    those that do not."""
     c = greatest(c, 0)
     x_low = earliest(c.lower(), kappa.lower())
     if x_low is None:
@@ -77,9 +74,8 @@ def behind_bridge_at_most(t, kappa, r, limit):
         if speed > 0:
             slope = p / speed
         elif p > 0:
-            slope = span(p.lower() / speed.upper(), interval(1))
-            if slope.lo > slope.hi:
-                continue
+            flattest = p.lower() / speed.upper()
+            slope = span(flattest, greatest(flattest, 1))
         else:
             raise Undecided("the direction behind the bridge")
         if not plain_at_most(r * sine + slope * (pi() - t if side > 0 else t), slope, r, limit):
@@ -120,9 +116,9 @@ def leaf(chart, op, hints, box):
     r, (eta0, eta1) = span(interval(1 / box["q"][1]), interval(1 / box["q"][0])), box["eta"]
     eta = span(interval(eta0), interval(eta1))
     if chart == "contact":
-        t = span(interval(box["t"][0]), least(box["t"][1], pi()))
+        t = span(least(box["t"][0], pi()), least(box["t"][1], pi()))
         sine, cosine = sin_cos(t)
         return plain_at_most(r * (sine + (cosine + eta) * (pi() - t)), r * (cosine + eta), r, hints[0])
-    e = span(interval(box["e"][0]), least(box["e"][1], half_pi()))
+    e = span(least(box["e"][0], half_pi()), least(box["e"][1], half_pi()))
     sine, cosine = sin_cos(e)
     return departure_at_most(e, sine, eta - cosine, r, hints[0])

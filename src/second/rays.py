@@ -21,7 +21,7 @@ def _guess(c, kappa, end):
 
 
 def crest(kappa, end):
-    """A point of [0, end], about where sin x - kappa x is greatest."""
+    """A point of [0, end], about where sin x - kappa x is greatest: a guess, on either side of that."""
     z = interval(min(math.acos(min(max(float(kappa), -1.0), 1.0)), float(end) - 1e-5)).middle()
     try:
         for _ in range(1 + precision() // 100):  # Newton's steps double the digits
@@ -46,33 +46,41 @@ def _near(c, kappa, end):
         return z
 
 
+def _tangent(z, end):
+    """Sine and cosine at z. The tangent there is above the sine on all of [0, end], where it is concave; else Undecided."""
+    if not (0 <= z.lo and z.hi <= end.lo and end.hi <= pi().hi):
+        raise Undecided("no tangent of this wall")
+    return sin_cos(z)
+
+
 def misses(c, kappa, end):
     """Is it certain that no x in [0, end] has sin x >= c + kappa x? (L12 (c), on [0, pi] as well: there sine is concave)"""
     z = crest(kappa, end)
-    sine, cosine = sin_cos(z)
+    sine, cosine = _tangent(z, end)
     return c - sine + z * cosine > 0 and c + kappa * end - sine - (end - z) * cosine > 0
 
 
-def _tangent_step(c, kappa, z):
-    """A point below which no x of [0, pi] has sin x >= c + kappa x, by the tangent at z (L12 (a)); the steepness there."""
-    sine, cosine = sin_cos(z)
+def _tangent_step(c, kappa, z, end):
+    """A point below which no x of [0, end] has sin x >= c + kappa x, by the tangent at z (L12 (a)); the steepness there. If
+    that may be 0 or negative, as behind the crest, it would be no bound: Undecided."""
+    sine, cosine = _tangent(z, end)
     steepness = cosine - kappa
     return (z - (sine - kappa * z - c) / steepness).lower(), steepness
 
 
 def _refined(c, kappa, z, end):
-    """Tangent steps from z: a lower bound of the contact, the last step and its steepness."""
+    """Tangent steps from z: a point below which no x of [0, end] has sin x >= c + kappa x, the last step and its steepness."""
     for _ in range(2 + precision() // 50):
-        new, steepness = _tangent_step(c, kappa, z)
+        new, steepness = _tangent_step(c, kappa, z, end)
         step, z = abs(new.lo - z.lo), point(max(new.lo, 0))
-        if step >> precision() // 2 == 0 or z > end:
+        if step >> precision() // 2 == 0 or not z <= end:
             break
     return z, point(step), steepness
 
 
 def earliest(c, kappa, end=None):
-    """A lower bound x of the contact in [0, end] (pi/2, if None) of every ray at or above (c, kappa), two points; None if
-    these miss certainly."""
+    """A lower bound x of the contact in [0, end] (pi/2, if None) of every ray at or above (c, kappa). None if these miss
+    certainly: that is proved by `misses`, or by a bound behind the end."""
     end = half_pi() if end is None else end
     z = _guess(c, kappa, end)
     if z is None:
@@ -89,7 +97,10 @@ def earliest(c, kappa, end=None):
 
 
 def latest(c, kappa, end=None):
-    """A point x of [0, end] (pi/2, if None) with certified sin x > c + kappa x, near the contact of (c, kappa); or None."""
+    """A point x of [0, end] (pi/2, if None) with certified sin x > c + kappa x, near the contact of (c, kappa); or None, which
+    says nothing. As c >= 0 (else Undecided), all rays at or below (c, kappa) with c >= 0 have a contact in [0, x]."""
+    if not c >= 0:
+        raise Undecided("a ray from below the corner")
     end = half_pi() if end is None else end
     tries = []
     try:
@@ -106,17 +117,25 @@ def latest(c, kappa, end=None):
 
 
 def reflected(w, kappa, r):
-    """Numerator and denominator D of the new slope (2)."""
+    """Encloses the numerator and the denominator D of the new slope (2)."""
     ww = w * w
     return kappa * ww + (w * 2 - kappa) * r, ww - kappa * w * 2 - r
 
 
+def slope_above(w, kappa, r):
+    """An upper bound of the new slope where the cosine is at least the lower end of w, kappa and r at most their upper ends,
+    L5 (b), and then they go back; None if w > 0 and D > 0 are not certain, without which it would be no bound."""
+    w = w.lower()
+    numerator, d = reflected(w, kappa.upper(), r.upper())
+    return (numerator / d).upper() if w > 0 and d > 0 else None
+
+
 def greatest_count(c, kappa, r, limit):
-    """An upper bound of G for the rays whose c, kappa and r are at least the lower ends of these, c >= 0; None if it would
-    be above the limit."""
+    """An upper bound of G for the rays whose c, kappa and r are at least the lower ends of these, L5 (e); None if it would be
+    above the limit. Undecided if these ends do not have c >= 0, kappa >= -r and r > 0, as L5 wants of the rays."""
     c, kappa, r = c.lower(), kappa.lower(), r.lower()
-    if not r > 0:
-        raise Undecided("r is too small")
+    if not (c >= 0 and kappa >= -r and r > 0):
+        raise Undecided("where L5 does not hold")
     for count in itertools.count():
         if kappa >= 1:
             return count
@@ -140,18 +159,19 @@ def at_most(c, kappa, r, limit):
 
 
 def least_count(c, kappa, r, limit):
-    """A lower bound of G for the rays whose c, kappa and r are at most the upper ends of these, c >= 0; not above the limit."""
+    """A lower bound of G for the rays with c >= 0 and kappa >= -r whose c, kappa and r are at most the upper ends of these,
+    L5 (e); not above the limit. Undecided if there are none."""
     c, kappa, r = c.upper(), kappa.upper(), r.upper()
+    if not (c >= 0 and kappa >= -r):
+        raise Undecided("where L5 does not hold")
     for count in range(limit):
         x = latest(c, kappa) if kappa < 1 else None
         if x is None:
             return count
         sine, cosine = sin_cos(x)
-        w = cosine.lower()
-        numerator, d = reflected(w, kappa, r)
-        if not (w > 0 and d > 0):
+        kappa = slope_above(cosine, kappa, r)
+        if kappa is None:
             return count + 1
-        kappa = (numerator.upper() / d.lower()).upper()
         c = (sine + kappa * (x + pi())).upper()
     return limit
 

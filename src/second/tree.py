@@ -2,6 +2,8 @@
 
 from fractions import Fraction
 
+from work import spend
+
 GREATEST_DEPTH = 400
 
 
@@ -11,9 +13,11 @@ def walk(lines, root, leaf):
     boxes = [(root, dict.fromkeys(root, 0))]
     while boxes:
         box, depths = boxes.pop()
+        halvings = sum(depths.values())
+        spend(1000 + 2 * halvings)
         fields = lines.next()
         if fields[0] != "split":
-            leaf(fields, box, Fraction(1, 1 << sum(depths.values())))
+            leaf(fields, box, Fraction(1, 1 << halvings))
             continue
         axis = fields[1] if len(fields) == 2 else None
         if axis not in box:
@@ -24,6 +28,8 @@ def walk(lines, root, leaf):
         if low == high:
             raise lines.wrong("split", "an axis of width 0")
         lines.count("split")
+        bits = max(number.bit_length() for end in (low, high) for number in end.as_integer_ratio())
+        spend(1000 + bits * bits // 1000)
         middle, depths = (low + high) / 2, {**depths, axis: depths[axis] + 1}
         boxes.append(({**box, axis: (middle, high)}, depths))
         boxes.append(({**box, axis: (low, middle)}, depths))

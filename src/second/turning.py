@@ -37,6 +37,7 @@ def bridge_sigma(e, eta, r):
 
 def low_ray_at_most(c, steepness, r, limit):
     """G <= limit for the rays (r' c, r' lambda) at all r' >= r, c and lambda at least the lower ends of these: section 3.5."""
+    r = r.lower()
     return at_most(r * greatest(c.lower(), 0), r * greatest(steepness.lower(), -1), r, limit)
 
 

@@ -4,12 +4,14 @@ from failure import Limit
 
 UNITS_PER_SECOND = 300_000_000  # about: on the machine where this was measured
 _budget = _left = float("inf")
+kept = {}  # what was computed within this budget, so that no file is judged by what was before it
 
 
 def allow(seconds):
     """From here on so much may be spent."""
     global _budget, _left
     _budget, _left = seconds, seconds * UNITS_PER_SECOND
+    kept.clear()
 
 
 def spend(units):

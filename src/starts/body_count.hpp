@@ -10,7 +10,7 @@
 /// met: lemmas L71, L72, L74, L77.
 namespace dumbbell::starts {
 
-/// No motion of the body has more collisions (L72).
+/// No motion of the body in a plane has more collisions (L72).
 [[nodiscard]] inline std::optional<long> most_collisions_of_body(const Rational& q, const Rational& rho) {
     constexpr long most_in_corner = 10'000;
     const long turns = flight::corner_count(1, q, most_in_corner);

@@ -249,7 +249,7 @@ std::string theorem_sentence(const TraceReport& report) {
         return "";
     }
     return report.box.rho
-               ? fmt::format("No motion of the body has more than {} (L72 of proofs/body.md).",
+               ? fmt::format("No motion of the body in a plane has more than {} (L72 of proofs/body.md).",
                              plural(*report.maximum, "collision"))
                : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",

@@ -16,7 +16,7 @@ function header(data) {
         "header",
         {},
         h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
-        h("p", {}, "Two point masses on a massless rod", data.bodies && ", or a rigid body with two contacts,", " bounce elastically on a flat floor, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. ", hasVerifier() ? "It contains the verifier, and runs it here, on each file, without a network." : "It does not verify anything: each file comes with the command that does."),
+        h("p", {}, "Two point masses on a massless rod", data.bodies && ", or a rigid body with two contacts,", " bounce elastically on a flat floor, in a vertical plane, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. ", hasVerifier() ? "It contains the verifier, and runs it here, on each file, without a network." : "It does not verify anything: each file comes with the command that does."),
         h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
     );
 }

@@ -13,7 +13,8 @@ inline constexpr std::array body_options{
            "scene body: d2/d1 of the distances of the contacts from the centre of mass, or LO:HI"},
     Option{"--inertia", "Q", "scene body: (d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs(
         "--rho"),
-    flag("--coin", "a coin on its edge: --scene body --rho 1 --inertia 4")
+    flag("--coin",
+         "a thin coin that turns in a plane, about a horizontal diameter: --scene body --rho 1 --inertia 4")
         .excludes("--rho,--inertia,--rod-mass"),
     Option{"--rod-mass", "MU", "the dumbbell RATIO with a uniform rod of MU times the mass of both ends"}
         .excludes("--rho,--inertia")};

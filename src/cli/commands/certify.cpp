@@ -35,14 +35,14 @@ constexpr const char* certify_description =
     R"(Prove the greatest number of collisions for a mass ratio, or every ratio of a range.
 
 RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
-masses are swapped.
+masses are swapped. Dumbbells and bodies move in a vertical plane; in space there may be more collisions.
 
 Examples:
   dumbbell certify 10                          at most 4 collisions, 4 occur, and a start that has them
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
-  dumbbell certify --coin                      a coin on its edge; proofs/body.md says what bodies are
+  dumbbell certify --coin                      a thin coin, in a plane; proofs/body.md says what bodies are
   dumbbell certify 10 --rod-mass 1/100         the rod has a hundredth of the mass of its ends
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
   dumbbell certify --list ratios.txt --out answers   each ratio of a file, with a folder of certificates

@@ -95,7 +95,7 @@ constexpr const char* body_picture_description =
 
 Each certificate by dumbbell certify --scene body is a disc, or a rectangle of bodies, coloured by its maximum; what is
 not decided is hatched. The massless rods (Q rho = 1), rods of growing mass, the ring, the uniform rod and the coin are
-marked. proofs/body.md says what rho and Q are.
+marked. Bodies move in a plane; proofs/body.md says what rho and Q are.
 
 Example:
   dumbbell certify --coin --out coin.dbc

@@ -32,8 +32,8 @@ constexpr int most_subdivide_bits = 4096;  ///< of a certificate
 constexpr const char* trace_description =
     R"(Follow one initial condition, or a box of them, through all its collisions.
 
-RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air: the
-rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
+RATIO is q = heavy mass / light mass (below 1 the masses are swapped). The dumbbell starts in the air, in a vertical
+plane: the rod has length 1, the light mass is at height y + beta2 sin phi and the heavy one at y - beta1 sin phi
 (beta2 = q/(1+q), beta1 = 1/(1+q)). y is the height of the centre of mass; phi is in radians (1/3), degrees (30deg) or a
 multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI. A
 multiple of pi is irrational: the proof holds for its rational bounds, which --json and the certificate give.
@@ -44,9 +44,9 @@ before a collision, in the metric of the kinetic energy: the sine of the angle b
 trajectories (theorem 1 of proofs/theorem.md) where that is less. Up to a ratio of 10^12 a certificate has the same
 bounds.
 
-Of a body (--coin, --rod-mass, or --rho with --inertia) the light end is the one at the distance d1 from the centre of
-mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds until a corner is met. There is no
-certificate of it.
+Of a body (--coin, --rod-mass, or --rho with --inertia), in a plane, too, the light end is the one at the distance d1
+from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds until a corner is met.
+There is no certificate of it.
 
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit

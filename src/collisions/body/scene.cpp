@@ -55,7 +55,7 @@ constexpr BoundSearch<I> body_bounds{body_maximum, may_be, may_be, body_witness}
 
 }  // namespace
 
-const SceneRow body_row{.hits = "motion of the body hits the floor",
+const SceneRow body_row{.hits = "motion of the body in a plane, without a corner, hits the floor",
                         .hits_it = "motion hits it",
                         .system = "The body",
                         .where = " of a body",

@@ -21,7 +21,6 @@ constexpr Axes class_axes{"u", "", "", "delta", "sigma"}, bounce_axes{"u", "s", 
 class ClaimReader : public Reader<Leaf> {
   public:
     ClaimReader(Text& text, const Settings& settings, Claim::Kind kind) : Reader(text, settings) {
-        require_fitting_demand();
         claim_.kind = kind;
         leaf_.terms = &terms_;
         for (const auto* name : {"split", "bound", "outside"}) proof_.tallies.push_back({name});
@@ -40,16 +39,6 @@ class ClaimReader : public Reader<Leaf> {
         if (claim_.has_classes()) classes();
         claim_tree();
         for (std::size_t i = 0; i < claim_.bounds.size(); ++i) attained();
-    }
-
-    /// Nothing here is a bound on a number of collisions.
-    void require_fitting_demand() const {
-        const Collisions& demand = settings_.demand;
-        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.ratios || demand.most || demand.least)
-            refuse(
-                "--ratio, --max, --min and --exactly are about numbers of collisions; this file is about the "
-                "adiabatic invariant, and says nothing of them");
     }
 
     void header() {

@@ -10,11 +10,12 @@ std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
 
-std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from,
-                         const mpq_class& to) {
+std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from, const mpq_class& to,
+                         const char* ratios) {
     if (hi < from || to < lo)
-        return "nothing is said of the mass ratios " + to_string(from, to) + ", only of " + to_string(lo, hi);
-    return "of the mass ratios " + to_string(from, to) + " only " +
+        return std::string("nothing is said of ") + ratios + to_string(from, to) + ", only of " +
+               to_string(lo, hi);
+    return std::string("of ") + ratios + to_string(from, to) + " only " +
            to_string(std::max(lo, from), std::min(hi, to)) + " are covered";
 }
 
@@ -39,6 +40,28 @@ void Bounds::meet(const Bounds& next) {
     *this = Bounds(upper, std::max(lower, next.lower));
 }
 
+void Known::join(const Known& next) {
+    if (!next.first) return;
+    if (!last) return void(*this = next);
+    widest = std::max({widest, next.widest, mpq_class((*next.first - *last) / *last)});
+    gaps += next.gaps + (*last < *next.first);
+    last = next.last;
+}
+
+Known Collisions::whole() const {
+    const mpq_class to = std::min(question().second, hi);
+    Known all{start(), start(), 0};
+    all.join(known);
+    all.join({to, to, 0});
+    return all;
+}
+bool Collisions::is_known_but_in_gaps() const {
+    const auto [from, to] = question();
+    if (from == to) return asked.upper == asked.lower;
+    const Known all = whole();
+    return asked.open == 0 && (!gap || all.widest <= *gap) && (!gaps_at_most || all.gaps <= *gaps_at_most);
+}
+
 void Collisions::ask(const Bounds& next) {
     const bool is_point = ratios ? ratios->first == ratios->second : lo == hi;
     is_point ? asked.meet(next) : asked.join(next);
@@ -52,20 +75,27 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
         if (proves[i] && (reached[i] ? a <= *reached[i] : a <= from && from <= b)) reached[i] = b;
     const Bounds piece(u, v);
     join(piece);
-    const mpq_class &first = ratios ? ratios->first : lo, &last = ratios ? ratios->second : hi;
+    const auto [first, last] = question();
+    if (u && *u == v && a < b && a < last && first < b)
+        known.join({std::max(a, first), std::min(b, last), 0});
     // What has no more than an end in common with a range says nothing of it that its neighbour does not.
     if (first == last || a == b ? a <= last && first <= b : a < last && first < b) ask(piece);
 }
 
 std::string Collisions::missing() const {
-    const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
+    const auto [from, to] = question();
     const std::string range = (rho ? " for every Q in " : " for every mass ratio in ") + to_string(from, to);
+    const char* ratios_in_question = rho ? "Q in " : "the mass ratios ";
     const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
-    if (from < lo || !covered(0)) return covered_part(lo, hi, from, to);
+    if (from < lo || !covered(0)) return covered_part(lo, hi, from, to, ratios_in_question);
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
     if (rhos && !(rho && rho->first <= rhos->first && rhos->second <= rho->second))
         return "not proved for every rho in " + to_string(rhos->first, rhos->second);
     if (least && !covered(2)) return "not proved: at least " + least->get_str() + " collisions" + range;
+    if ((gap || gaps_at_most) && !is_known_but_in_gaps())
+        return "not proved: the greatest number itself" + range + ", but in gaps" +
+               (gap ? " of relative width " + to_string(*gap) : "") +
+               (gaps_at_most ? ", at most " + gaps_at_most->get_str() : "");
     return "";
 }
 

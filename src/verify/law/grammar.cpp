@@ -21,7 +21,6 @@ class ClaimReader : public Reader<Leaf> {
                   [this](const dumbbell_verify::Leaf& leaf, const std::string& path) {
                       take_of_step(leaf, path);
                   }} {
-        require_fitting_demand();
         proofs_.add_tallies();
         first_ = proof_.tallies.size();
         for (const auto rule : {Leaf::slope, Leaf::beyond}) proof_.tallies.push_back({Leaf::names.at(rule)});
@@ -57,16 +56,6 @@ class ClaimReader : public Reader<Leaf> {
             (this->*cover)();
             ++Watched::read;
         }
-    }
-
-    /// The law is about all mass ratios, and gives no number of collisions by itself.
-    void require_fitting_demand() const {
-        const Collisions& demand = settings_.demand;
-        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.ratios || demand.most || demand.least)
-            refuse(
-                "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; "
-                "this file is about the law for every mass ratio: ask with --claim law alone");
     }
 
     template <class Places>

@@ -99,14 +99,6 @@ class Arguments {
                                     std::to_string(most) + ", not `" + text.substr(0, 60) + "`");
     }
 
-    /// A natural number as long as one in a file may be.
-    mpz_class count() {
-        const std::string text = value();
-        if (is_natural(text, longest_integer)) return mpz_class(text);
-        throw std::invalid_argument(option + " needs a number of at most 2100 digits, not `" +
-                                    text.substr(0, 60) + "`");
-    }
-
     /// A time as `30s`, `10m` or `1.5h`, in units of work; 2^63 stand for more.
     std::uint64_t time() {
         const std::string text = value();

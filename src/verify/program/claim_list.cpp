@@ -41,14 +41,18 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
         throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
     if (fields[0].find('\0') != std::string::npos) throw std::invalid_argument("a name with a zero byte");
     Arguments given(split(fields[1], ' '));
+    ClaimWords words;
     while (given.next())
-        if (!claim_option(given, settings))
+        if (!claim_option(given, words))
             throw std::invalid_argument("`" + given.word.substr(0, 60) + "` states no claim; see --help");
-    require_whole(settings);
+    state_claim(words, settings);
+    for (std::size_t i = 2; i < fields.size(); ++i)
+        if (fields[i].substr(std::min(fields[i].find_first_not_of(' '), fields[i].size())).starts_with("--"))
+            throw std::invalid_argument("a demand behind the second tab, where remarks are: put it before");
     const Collisions& demand = settings.demand;
     if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
         throw std::invalid_argument(
-            "the claim needs --ratio, and --max, --min or --exactly; or it is --claim law");
+            "the claim needs --ratio or a body, and --max, --min or --exactly; or it is --claim law");
     return {fields[0] == "-" ? "-" : (folder / fields[0]).string(), std::move(settings)};
 }
 

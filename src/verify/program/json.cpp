@@ -45,11 +45,17 @@ std::string work(bool known, const Proof& proof) {
     const std::string rest = std::to_string(1000 + n % 1000);
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
+std::string fraction(const std::optional<mpq_class>& x) { return x ? json_string(to_string(*x)) : "null"; }
 std::string demand(const Settings& settings, const Collisions& d) {
-    return object({{"ratio", range(d.ratios)},
+    const bool is_body = settings.scene == "body";
+    return object({{"ratio", is_body ? "null" : range(d.ratios)},
+                   {"inertia", is_body ? range(d.ratios) : "null"},
                    {"rho", range(d.rhos)},
                    {"max", count(d.most)},
                    {"min", count(d.least)},
+                   {"gap", fraction(d.gap)},
+                   {"gaps", count(d.gaps_at_most)},
+                   {"heavy_at_most", settings.heavy_once ? "1" : "null"},
                    {"scene", string_unless(settings.scene.empty(), settings.scene)},
                    {"claim", string_unless(settings.claim.empty(), settings.claim)}});
 }
@@ -58,6 +64,7 @@ std::string claim(const Result& result) {
     if (!result.is_right()) return "null";
     if (const auto object = result.proof.of_other([](const auto& it) { return it.json(); })) return *object;
     const Collisions& c = result.proof.claim;
+    const auto [from, to] = c.question();
     return object({{"scene", json_string(result.proof.section->scene)},
                    {"ratio", range(c.lo, c.hi)},
                    {"rho", range(c.rho)},
@@ -66,6 +73,7 @@ std::string claim(const Result& result) {
                    {"pieces", number(c.pieces)},
                    {"gaps", number(c.gaps)},
                    {"open", number(c.open)},
+                   {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
                    {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
 }
 

@@ -78,7 +78,9 @@ Verdict verify_together(const Options& options, Progress& progress, std::vector<
     const Result all = together(asked, results);
     const Verdict verdict = all.why.verdict;
     const std::string demand = demand_text(asked.settings, asked.settings.demand);
-    const std::string text = all.is_right() ? claim_text(all) + " files=" + files + demand : result_text(all);
+    const std::string text = all.is_right()
+                                 ? claim_text(all.proof) + " files=" + files + demand + left_out(all)
+                                 : result_text(all);
     const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
     if (all.is_right() && !options.json && !options.quiet) std::fputs(sentence(all).c_str(), stdout);
     print_line(options.json ? json(all, results) : line);

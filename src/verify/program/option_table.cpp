@@ -7,7 +7,7 @@
 namespace dumbbell_verify {
 namespace {
 
-void read_claim(Arguments& given, Asked& to) { claim_option(given, to.settings); }
+void read_claim(Arguments& given, Asked& to) { claim_option(given, to.claim); }
 
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.
 void read_report(Arguments& given, Asked& to) {
@@ -22,15 +22,27 @@ unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 
 constexpr Option table[] = {
     {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file",
      read_claim},
-    {"--rho", "RATIO|LO:HI",
-     "with --scene body: d2/d1 of the bodies in question, above 0 and at most 1. --ratio is then their Q = "
-     "(d1/k)^2",
-     read_claim},
     {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
     {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
     {"--exactly", "N", "both", read_claim},
+    {"--gap", "REL",
+     "demand the proof of the greatest number itself, at every ratio in question but in gaps of at most this "
+     "relative width, in which it is one of two neighbouring numbers; gaps that touch are one",
+     read_claim},
+    {"--gaps", "N", "and that there are at most N of them", read_claim},
+    {"--heavy-at-most", "1", "demand the proof that the heavy mass hits the floor at most once", read_claim},
+    {"--inertia", "Q|LO:HI",
+     "the bodies in question, rods with mass or the coin: their Q = (d1/k)^2, of which --max and the others "
+     "speak in place of the mass ratio",
+     read_claim},
+    {"--rho", "RHO|LO:HI", "and their d2/d1, above 0 and at most 1", read_claim},
+    {"--coin", "", "the same as --rho 1 --inertia 4", read_claim},
+    {"--rod-mass", "MU",
+     "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends",
+     read_claim},
     {"--scene", "dumbbell|hybrid|wedge|body",
-     "demand this scene; default: dumbbell if another option states the claim, else the file's", read_claim},
+     "demand this scene; default: what the other options state, dumbbell or body, else the file's",
+     read_claim},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
      "--ratio, --max, --min and --exactly are then "
@@ -41,10 +53,11 @@ constexpr Option table[] = {
     {"--claims", "LIST",
      "a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file (its "
      "name "
-     "is relative to the list's folder), a tab, and some of the seven options above: at least --ratio and a "
+     "is relative to the list's folder), a tab, and some of the options above: at least --ratio and a "
      "bound, or --claim law alone. What follows another tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); },
-     "--ratio --rho --max --min --exactly --scene --claim"},
+     "--ratio --max --min --exactly --gap --gaps --heavy-at-most --inertia --rho --coin --rod-mass --scene "
+     "--claim"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about all "

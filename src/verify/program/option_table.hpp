@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "verify/program/arguments.hpp"
+#include "verify/program/claim_options.hpp"
 #include "verify/program/options.hpp"
 
 namespace dumbbell_verify {
@@ -14,6 +15,7 @@ namespace dumbbell_verify {
 struct Asked {
     Options options;    ///< its jobs are the files, without their settings
     Settings settings;  ///< of each file
+    ClaimWords claim;   ///< what its options say
     std::string claims;
 };
 

@@ -55,7 +55,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
     }
     if (!result.answer.empty()) return result;
     require_fitting(given, asked);
-    require_whole(settings);
+    state_claim(asked.claim, settings);
     for (Job& job : result.jobs) job.settings = settings;
     if (given.seen("--claims")) result.jobs = read_claims(asked.claims, settings);
     // A leaf that is explained is printed while it is checked: one file after the other.

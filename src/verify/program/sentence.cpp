@@ -1,6 +1,8 @@
 #include "verify/program/sentence.hpp"
 
 #include "verify/core/section.hpp"
+#include "verify/program/claim_options.hpp"
+#include "verify/program/summary.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -10,7 +12,8 @@ struct Phrases {
 };
 Phrases phrases_of(std::string_view scene) {
     if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
-    if (scene == "body") return {"motion of the body without a corner hits the floor", "motion hits it"};
+    if (scene == "body")
+        return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
     return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
                 " wedge hits its walls",
             "trajectory hits them"};
@@ -27,14 +30,18 @@ std::string spoken(const mpq_class& q) {
     return power % q.get_den() != 0 ? to_string(q) : starts::decimals(q, false, places);
 }
 
-/// In how many pieces the greatest number is known, where all of them together do not tell it.
-std::string known(const Bounds& all) {
+/// How much is known, where the bounds together do not tell it.
+std::string known(const Collisions& claim) {
+    const Bounds& all = claim.asked;
     if (all.pieces < 2 || (all.upper && *all.upper == all.lower)) return "";
     const auto count = [](std::uint64_t n) { return std::to_string(n); };
     return "; the greatest number is known in " + count(all.pieces - all.gaps - all.open) + " of " +
            count(all.pieces) + " pieces" +
            (all.gaps > 0 ? ", one of two neighbouring values in " + count(all.gaps) : "") +
-           (all.open > 0 ? ", open in " + count(all.open) : "");
+           (all.open > 0 ? ", open in " + count(all.open) : "") +
+           "; the stretches where it is not known have a "
+           "relative width of at most " +
+           three_digits(claim.whole().widest);
 }
 
 /// `no ... and some ...`, as far as there are bounds.
@@ -45,6 +52,13 @@ std::string bounded(const Bounds& all, const Phrases& say) {
         text += (all.upper ? ", and some " + say.hits_it : "some " + say.hits) +
                 (all.upper == all.lower ? " " : " at least ") + times(all.lower);
     return text;
+}
+
+/// What the demand left out, so that a file that proves less would pass it, too.
+std::string unasked(const Result& result) {
+    std::string left = not_demanded(result.job->settings, result.proof);
+    for (std::size_t at = 0; (at = left.find(',', at)) < left.size(); at += 4) left.replace(at, 1, ", --");
+    return left.empty() ? "" : ". Not demanded: --" + left;
 }
 
 std::string about_collisions(const Result& result) {
@@ -64,9 +78,10 @@ std::string about_collisions(const Result& result) {
         where += ", " + every("rho", rhos->first, rhos->second) + ",";
     const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
     return (bounds.empty() ? "No bound is proved that holds " + where : "Proved: " + where + " " + bounds) +
-           known(all) +
+           known(claim) +
            (result.proof.heavy_once ? "; in every trajectory the heavy mass hits the floor at most once"
-                                    : "");
+                                    : "") +
+           unasked(result);
 }
 
 }  // namespace

@@ -11,22 +11,40 @@
 
 namespace dumbbell_verify {
 
-std::string claim_text(const Result& result) {
-    if (const auto text = result.proof.of_other([](const auto& it) { return it.text(); })) return *text;
-    const Collisions& claim = result.proof.claim;
-    return "scene=" + std::string(result.proof.section->scene) + " ratio=" + to_string(claim.lo, claim.hi) +
+std::string three_digits(mpq_class x) {
+    if (x == 0) return "0";
+    int exponent = 0;
+    for (; x >= 10; x /= 10) ++exponent;
+    for (; x < 1; x *= 10) --exponent;
+    mpz_class digits;
+    mpz_cdiv_q(digits.get_mpz_t(), mpz_class(x.get_num() * 100).get_mpz_t(), x.get_den_mpz_t());
+    if (digits == 1000) digits = 100, ++exponent;
+    return digits.get_str().insert(1, ".") + "e" + std::to_string(exponent);
+}
+
+std::string claim_text(const Verified& proof) {
+    if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
+    const Collisions& claim = proof.claim;
+    const auto [from, to] = claim.question();
+    return "scene=" + std::string(proof.section->scene) + " ratio=" + to_string(claim.lo, claim.hi) +
            (claim.rho ? " rho=" + to_string(claim.rho->first, claim.rho->second) : "") +
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
            " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
-           (result.proof.heavy_once ? " heavy-at-most=1" : "");
+           (from < to ? " widest-gap=" + three_digits(claim.whole().widest) : "") +
+           (proof.heavy_once ? " heavy-at-most=1" : "");
+}
+
+std::string left_out(const Result& result) {
+    const std::string names = not_demanded(result.job->settings, result.proof);
+    return names.empty() ? "" : " not-demanded=" + names;
 }
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
     const Settings& settings = result.job->settings;
     if (result.is_right())
-        return claim_text(result) + " sha256=" + result.proof.digest +
-               demand_text(settings, own_demand(settings));
+        return claim_text(result.proof) + " sha256=" + result.proof.digest +
+               demand_text(settings, own_demand(settings)) + (settings.together ? "" : left_out(result));
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";
@@ -56,10 +74,13 @@ std::string summary_line(const std::vector<Result>& results) {
                                      [&](const Result& r) { return r.why.verdict == verdict; });
         return std::to_string(n);
     };
+    std::uint64_t open = 0;
+    for (const Result& result : results) open += result.is_right() ? result.proof.claim.open : 0;
     return "c files=" + std::to_string(results.size()) + " verified=" + count(Verdict::verified) +
            " rejected=" + count(Verdict::rejected) + " limit=" + count(Verdict::limit) +
            " unsupported=" + count(Verdict::unsupported) + " unreadable=" + count(Verdict::unreadable) +
-           " open=" + count(Verdict::open) + " exit=" + std::to_string(exit_code(worst(results)));
+           " nothing-proved=" + count(Verdict::open) + " open=" + std::to_string(open) +
+           " exit=" + std::to_string(exit_code(worst(results)));
 }
 
 Verdict worst(const std::vector<Result>& results) {

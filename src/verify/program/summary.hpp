@@ -7,7 +7,11 @@
 
 namespace dumbbell_verify {
 
-std::string claim_text(const Result& result);    ///< what a verified file proves: `scene=S ratio=LO:HI ...`
+/// x >= 0 with three digits, rounded up: `9.01e-7`; 0 is `0`.
+std::string three_digits(mpq_class x);
+std::string claim_text(const Verified& proof);  ///< what a verified file proves: `scene=S ratio=LO:HI ...`
+/// ` not-demanded=ratio,max`: what was left out of a claim that was demanded; empty if nothing was.
+std::string left_out(const Result& result);
 std::string result_text(const Result& result);   ///< behind the verdict: claim, SHA-256, demand; or reason
 std::string verdict_line(const Result& result);  ///< `s VERIFIED ...`
 

@@ -51,6 +51,7 @@ void append(Collisions& all, const Collisions& next) {
     all.hi = next.hi;
     all.join(next);
     all.ask(next.asked);
+    all.known.join(next.known);
 }
 
 Result together(const Job& asked, const std::vector<Result>& files) {

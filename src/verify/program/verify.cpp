@@ -33,6 +33,21 @@ void name_both(Failure& failure, const Settings& settings, std::string_view scen
     if (!settings.claim.empty() && settings.claim != claim) other("claim", claim, settings.claim);
 }
 
+/// Of a file that is about something else than N*: a bound on N* is not proved by a file about some starts,
+/// so those who ask must mean its box.
+void require_fitting(const Settings& settings, const std::string& claim, bool is_initial) {
+    const Collisions& demand = settings.demand;
+    const bool bounds = demand.ratios || demand.most || demand.least;
+    if (!demand.gap && !demand.gaps_at_most && !demand.rhos && !settings.heavy_once &&
+        (!bounds || (is_initial && !settings.claim.empty())))
+        return;
+    throw Failure{Verdict::unreadable, 0, "usage",
+                  "what is demanded is about the collisions of all trajectories, and this file is about "
+                  "something else: " +
+                      (is_initial ? "to ask about the starts in its box add --claim " + claim
+                                  : "ask with --claim " + claim)};
+}
+
 /// What is left of the file, which has this header.
 Verified read_on(Text& text, const Settings& settings, const Header& header) {
     const std::string& claim = header.claim;
@@ -41,13 +56,19 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--shares is about a box of initial conditions (dumbbell trace --subdivide), and this "
                       "file is about something else"};
-    if (header.section && claim == "collisions") return {collisions(text, settings, *header.section), {}};
+    if (header.section && claim == "collisions") {
+        Verified found{collisions(text, settings, *header.section), {}};
+        if (settings.heavy_once && !found.heavy_once)
+            text.reject("claim-not-proved", "not proved: the heavy mass hits the floor at most once");
+        return found;
+    }
     if (settings.together)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
     const auto invariant = adiabatic::kind_named(claim);
     const bool is_law = header.section == &turning() && claim == "law";
     if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
+    require_fitting(settings, claim, is_initial);
     if (is_law) return about(law::proof(text, settings));
     if (invariant) return about(adiabatic::proof(text, settings, *invariant));
     return about(starts::proof(text, settings, incoming));

@@ -18,7 +18,6 @@ class ClaimReader : public Reader<Leaf> {
   public:
     ClaimReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
         claim_.incoming = incoming;
-        require_fitting_demand();
         if (settings.shares) claim_.shares.emplace();
         for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
     }
@@ -44,18 +43,6 @@ class ClaimReader : public Reader<Leaf> {
     [[nodiscard]] std::span<const std::string_view> axes() const {
         static constexpr std::array<std::string_view, 2> section{"phi", "s"};
         return claim_.incoming ? std::span<const std::string_view>(section) : axis_names;
-    }
-
-    /// A bound on N* is not proved by a file about some initial conditions: those who ask must mean the box.
-    void require_fitting_demand() const {
-        const Collisions& demand = settings_.demand;
-        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if ((demand.ratios || demand.most || demand.least) && settings_.claim.empty())
-            refuse(claim_.incoming
-                       ? "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
-                         "incoming trajectories: to ask about them add --claim incoming"
-                       : "--ratio, --max, --min and --exactly are about all trajectories; this file is about "
-                         "a box of initial conditions: to ask about that add --claim initial-conditions");
     }
 
     void header() {

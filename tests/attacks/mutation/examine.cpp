@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "text.hpp"
+#include "verify/program/summary.hpp"
 
 namespace dumbbell_mutation {
 
@@ -57,13 +58,8 @@ int exit_code(Verdict verdict) {
 }
 
 std::string claim_text(const Verified& proof) {
-    if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
-    const Collisions& claim = proof.claim;
-    return "ratio=" + dumbbell_verify::to_string(claim.lo, claim.hi) +
-           (claim.rho ? " rho=" + dumbbell_verify::to_string(claim.rho->first, claim.rho->second) : "") +
-           " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
-           " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
-           (proof.heavy_once ? " heavy-at-most=1" : "");
+    const std::string text = dumbbell_verify::claim_text(proof);
+    return text.substr(text.starts_with("scene=") ? text.find(' ') + 1 : 0);
 }
 
 }  // namespace dumbbell_mutation

@@ -39,6 +39,22 @@ Numbers random_numbers(Sampler& sampler, bool symmetric) {
     return {rho, (sampler.coin() ? 1 + sampler.log_uniform(1e-4, 1) : sampler.log_uniform(1, 30)) / rho};
 }
 
+// The mass ratio q with a uniform rod of mu times the mass of both ends (L70 (d)).
+Numbers rod(double q, double mu) {
+    const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
+    const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
+    return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
+}
+
+// pi / (2 atan(1/sqrt(Q))) is n.
+double tie(double n) { return 1 / std::pow(std::tan(half_turn / 2 / n), 2); }
+
+// Rods with a little mass (L76), beyond q_c(4) or just below a tie: where random bodies do not come.
+Numbers extremal_numbers(Sampler& sampler) {
+    const double below = tie(std::round(sampler.uniform(3, 9))) * (1 - sampler.log_uniform(1e-6, 1e-2));
+    return rod(sampler.coin() ? below : sampler.uniform(4.6034, 5.82), sampler.log_uniform(1e-7, 1e-1));
+}
+
 // On the floor just after a collision, at the corner distance e of the right corner: to its right the light
 // end stands there, to its left the heavy one. The velocity has this angle in the metric of the kinetic
 // energy.
@@ -61,6 +77,13 @@ struct Spot {
 Spot random_spot(Sampler& sampler) {
     const double e = sampler.coin() ? sampler.log_uniform(1e-3, 1.57) : sampler.uniform(1e-3, 1.57);
     return {sampler.coin() ? Mass::light : Mass::heavy, e, sampler.uniform(0, half_turn)};
+}
+
+// The start of L76: off the heavy end close to the corner, above its tangent by this part of the angle that
+// the corner lacks.
+Spot start_of_l76(const Numbers& n, double e, double part) {
+    const double lacks = half_turn / 2 - n.corner();
+    return {Mass::heavy, e, half_turn - std::atan(n.rho * std::sqrt(n.q)) - part * lacks};
 }
 
 template <class S>
@@ -140,26 +163,28 @@ TEST_CASE("L74: the two rays of a contact with the bridge") {
 }
 
 TEST_CASE(
-    "L72: a symmetric body never has more collisions than its corner, ties too, and others not twice as "
-    "many") {
+    "L72: a symmetric body never has more collisions than its corner, ties too, and others at most one more "
+    "than twice as many") {
     Sampler sampler(1, 7004);
-    int tight = 0;
+    int tight = 0, beyond = 0;
     for (int i = 0; i < trials(20'000); ++i) {
         const bool symmetric = sampler.coin();
         Numbers n = random_numbers(sampler, symmetric);
-        if (symmetric && sampler.coin())
-            n.q = 1 / std::pow(std::tan(half_turn / 2 / std::round(sampler.uniform(2, 7))), 2);
+        if (symmetric && sampler.coin()) n.q = tie(std::round(sampler.uniform(2, 7)));
+        const bool extremal = !symmetric && sampler.coin();
+        if (extremal) n = extremal_numbers(sampler);
         const std::size_t wedge = whole_from(half_turn / n.wedge());
         const std::size_t most = symmetric ? wedge : 2 * wedge + 1;
-        const Spot at = random_spot(sampler);
-        const std::size_t found = counted_at(n, at, symmetric ? most : wedge);
+        const Spot at = extremal && sampler.coin()
+                            ? start_of_l76(n, sampler.log_uniform(1e-9, 1e-3), sampler.uniform(0, 2))
+                            : random_spot(sampler);
+        const std::size_t found = counted_at(n, at, most);
         if (found > most) FAIL(say("rho", n.rho, "Q", n.q, at.e, at.angle, found, most));
-        // The conjecture: not more than the wedge of the higher humps.
-        if (found > wedge)
-            FAIL(say("rho", n.rho, "Q", n.q, at.e, at.angle, found, "beats the conjecture", wedge));
         tight += found == wedge ? 1 : 0;
+        beyond += found > wedge ? 1 : 0;
     }
     CHECK(tight > 50);
+    CHECK(beyond > 500);  // more than the wedge of the higher humps: random starts of random bodies show none
 }
 
 TEST_CASE(
@@ -182,12 +207,8 @@ TEST_CASE(
     "L76: with a little mass in the rod there are three collisions at the corner, and k1 on either side") {
     for (const double q : {4.0, 5.5, 6.0, 9.0, 10.0, 25.0}) {
         const std::size_t least = 3 + 2 * theorem(Digits80(q)).k1;
-        const double mu = 1e-5, d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
-        const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
-        const Numbers n{rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
-        // Off the heavy end, just above its tangent: half of the angle that the corner lacks.
-        const double above = half_turn / 2 - n.corner(),
-                     tangent = half_turn - std::atan(rho * std::sqrt(n.q));
-        CHECK(total_at<Digits80>(n, {Mass::heavy, 1e-7, tangent - above}) >= least);
+        const Numbers n = rod(q, 1e-5);
+        CHECK(total_at<Digits80>(n, start_of_l76(n, 1e-7, 1)) >= least);
+        if (q == 5.5) CHECK(least > whole_from(half_turn / n.wedge()));
     }
 }

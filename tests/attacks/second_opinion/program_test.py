@@ -75,6 +75,14 @@ class Files(unittest.TestCase):
             self.assertIn(found, self.verdict(text))
         self.assertIn("s VERIFIED ", self.verdict(packed))
 
+    def test_a_start_beside_a_corner(self):
+        """It has two collisions, where the tangent of the floor leads from the first one to a ray that misses by a hair."""
+        lines = body(second.PROJECT / "tests/attacks/false_claims/starts-beside-corner.dbc")
+        with tempfile.NamedTemporaryFile() as file:
+            for number, code in (("1", 1), ("2", 0)):
+                Path(file.name).write_bytes(signed([line.replace("n 1 1", f"n {number} {number}").replace("y 1 h", f"y {number} h") for line in lines]))
+                self.assertEqual(second.verdict_line(file.name)[1], code)
+
     def test_unsupported(self):
         lines = body(Q10)
         for old, new in (("dumbbell-certificate 1", "dumbbell-certificate 2"), ("lemmas 1", "lemmas 2"),
@@ -203,6 +211,9 @@ class Program(unittest.TestCase):
         self.assertRegex(line, r"^s LIMIT line=[1-9]\d\d+ more work than the budget of 0.1 s: --budget allows more\n$")
         self.assertEqual((code, run(words)), (4, (4, line, "")))
         self.assertEqual(run(["--budget=0s", Q10])[0], 4)
+        # All its leaves are refused at two precisions, and the third has 9,000 bits.
+        precise = Path(__file__).with_name("many-bits.dbc.gz")
+        self.assertEqual([run(["--budget", time, precise])[0] for time in ("0.3s", "1s")], [4, 0])
         for time in ("", "s", "10", "10d", "-1s", "1/2s"):
             self.assertEqual(run(["--budget", time, Q10])[0], 2)
 

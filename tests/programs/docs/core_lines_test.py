@@ -1,5 +1,5 @@
 """core_lines_test.py: what an ordinary certificate (section turning, fewer than 20,000 collisions of a ray) rests on lies in
-src/verify/core, in as many lines as docs/4-verifying.md says, at most 1,600. Counted is what its check includes, with the
+src/verify/core, in as many lines as docs/4-verifying.md says, at most 1,640. Counted is what its check includes, with the
 .cpp beside each header. What the core calls of others is named here, with the reason why nothing certified rests on it."""
 
 import os
@@ -11,7 +11,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SRC = ROOT / "src"
-MOST = 1600
+MOST = 1640
 # What the program calls for such a file, and the rules of its section.
 CHECK = ("verify/core/certificate.cpp", "verify/core/turning.cpp")
 INCLUDE = re.compile(r'^#include "(.+)"', re.M)

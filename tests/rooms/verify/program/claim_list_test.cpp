@@ -28,8 +28,9 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     const Run bad = run_list(four + "\n" + three + "\n" + file.path() + "x\t--ratio 10 --exactly 4");
     CHECK(bad.code == 1);
     CHECK(has(bad.out, " code=claim-not-proved not proved: at most 3 collisions"));
-    CHECK(
-        has(bad.out, "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 open=0 exit=1\n"));
+    CHECK(has(bad.out,
+              "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 nothing-proved=0 open=0 "
+              "exit=1\n"));
     const Run least = run_list(file.path() + "\t--ratio 10 --min 1\n");  // such a claim is one, proved or not
     CHECK(has(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
     CHECK(run_list(four + "\n").out.starts_with(file.path() + "\n  Proved: "));  // one file alone: in full

@@ -94,10 +94,12 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
               "\ns REJECTED line=1 code=truncated the text ends too early: not a certificate, whose first "
               "line is `dumbbell-certificate 1` file=" +
               empty.path() + "\n" + verified +
-              "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 open=0 exit=1\n");
+              "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 nothing-proved=0 open=2 "
+              "exit=1\n");
     CHECK(r.code == 1);
     CHECK(run("--quiet" + files).out ==
-          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 open=0 exit=1\n");
+          "c files=5 verified=2 rejected=2 limit=0 unsupported=0 unreadable=1 nothing-proved=0 open=2 "
+          "exit=1\n");
     for (const char* jobs : {"1", "2", "3", "5", "64"})
         CHECK(run(std::string("--jobs ") + jobs + files).out == r.out);
     std::string many, expected;
@@ -106,7 +108,9 @@ TEST_CASE("several files: a line each in the given order, then one with the numb
         many += " " + name;
         expected += "s UNREADABLE No such file or directory file=" + name + "\n";
     }
-    expected += "c files=60 verified=0 rejected=0 limit=0 unsupported=0 unreadable=60 open=0 exit=2\n";
+    expected +=
+        "c files=60 verified=0 rejected=0 limit=0 unsupported=0 unreadable=60 nothing-proved=0 open=0 "
+        "exit=2\n";
     for (const char* jobs : {"1", "8", "200"})
         CHECK(run(std::string("--jobs ") + jobs + many).out == expected);
 }
@@ -181,10 +185,12 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(run("--quiet " + stairs.path() + " " + file.path())
               .last()
               .ends_with(" verified=1 rejected=0 limit=0 "
-                         "unsupported=0 unreadable=0 open=1 exit=3"));
+                         "unsupported=0 unreadable=0 nothing-proved=1 open=4 exit=3"));
     CHECK(run("--together " + stairs.path()).last().starts_with("s OPEN "));
     CHECK(run("--ratio 10:21/2 --together " + stairs.path()).code == 0);
-    CHECK(run("--ratio 10:21/2 " + stairs.path()).last().ends_with(" demanded-ratio=10/1:21/2"));
+    CHECK(run("--ratio 10:21/2 " + stairs.path())
+              .last()
+              .ends_with(" demanded-ratio=10/1:21/2 not-demanded=max,min,gap,gaps"));
     CHECK(run("--ratio 10:21/2 " + stairs.path()).code == 0);
     CHECK(run("--ratio 10:10.6 " + stairs.path()).code == 3);
     CHECK(run("--min 0 " + stairs.path()).code == 0);
@@ -194,7 +200,9 @@ TEST_CASE("without a claim a file of another scene is verified, and a claim is a
     const std::string wedge = make::shipped("wedge-1-100.dbc");
     CHECK(run(wedge).last().starts_with("s VERIFIED scene=wedge ratio=1/1:100/1 upper=16 "));
     CHECK(make::has(run(wedge), "no trajectory in the straight wedge hits its walls more than 16 times"));
-    CHECK(run("--scene wedge --max 16 " + wedge).last().ends_with(" max=16 demanded-scene=wedge"));
+    CHECK(run("--scene wedge --max 16 " + wedge)
+              .last()
+              .ends_with(" max=16 demanded-scene=wedge not-demanded=ratio,min,gap,gaps"));
     for (const char* claim : {"--max 16", "--min 1", "--exactly 16", "--ratio 2", "--claim collisions"})
         CHECK(run(claim + (" " + wedge))
                   .last()
@@ -407,9 +415,8 @@ TEST_CASE(
         const Run r = run(files, std::string("ulimit -v ") + kilobytes + "; ");
         INFO(kilobytes << ": " << r.code << " " << r.err);
         CHECK((r.code == 0 || r.code == 4));
-        CHECK((r.code == 0) ==
-              (r.last() ==
-               "c files=100 verified=100 rejected=0 limit=0 unsupported=0 unreadable=0 open=0 exit=0"));
+        CHECK((r.code == 0) == (r.last() == "c files=100 verified=100 rejected=0 limit=0 unsupported=0 "
+                                            "unreadable=0 nothing-proved=0 open=0 exit=0"));
     }
 }
 

@@ -41,12 +41,15 @@ constexpr Verdict all[] = {Verdict::verified,    Verdict::unreadable, Verdict::o
 
 TEST_CASE("summary: a verdict line has its fields in this order") {
     Result r = verified();
-    CHECK(verdict_line(r) ==
-          "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 sha256=0f");
+    CHECK(
+        verdict_line(r) ==
+        "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 widest-gap=3.34e-1 sha256=0f");
     r.proof.heavy_once = true;
     CHECK(verdict_line(r) ==
-          "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 heavy-at-most=1 sha256=0f");
-    CHECK(claim_text(verified(false)) == "scene=dumbbell ratio=3/2:2/1 upper=none lower=3 gaps=0 open=1");
+          "s VERIFIED scene=dumbbell ratio=3/2:2/1 upper=4 lower=3 gaps=1 open=0 widest-gap=3.34e-1 "
+          "heavy-at-most=1 sha256=0f");
+    CHECK(claim_text(verified(false).proof) ==
+          "scene=dumbbell ratio=3/2:2/1 upper=none lower=3 gaps=0 open=1 widest-gap=3.34e-1");
     CHECK(verdict_line(result(Verdict::rejected, 7)) == "s REJECTED line=7 code=count not?certified");
     CHECK(verdict_line(result(Verdict::rejected)) == "s REJECTED code=count not?certified");
     CHECK(verdict_line(result(Verdict::limit, 1)) == "s LIMIT line=1 not?certified");
@@ -59,7 +62,9 @@ TEST_CASE("summary: the sentence says what was demanded, or else what is proved 
         Job j{"x", {}};
         std::vector<std::string> options{"--ratio", ratios};
         if (!bound.empty()) options.insert(options.end(), {bound, "4"});
-        for (Arguments words(options); words.next();) claim_option(words, j.settings);
+        ClaimWords words;
+        for (Arguments given(options); given.next();) claim_option(given, words);
+        state_claim(words, j.settings);
         Result r;
         r.job = &j;
         r.proof.section = &turning();
@@ -73,33 +78,47 @@ TEST_CASE("summary: the sentence says what was demanded, or else what is proved 
         r.proof.heavy_once = ratios == "4";
         return std::pair(sentence(r), claim.says_nothing());
     };
-    const auto proved = [](const std::string& text) { return std::pair("  " + text + ".\n", false); };
+    const auto proved = [](const std::string& text, const std::string& left = "--max, --min") {
+        return std::pair("  " + text + ". Not demanded: " + left + ".\n", false);
+    };
     const std::string four =
         "no trajectory hits the floor more than 4 times, and some trajectory hits it 4 times";
-    CHECK(said("3.5:5", "") == proved("Proved: at every mass ratio from 3.5 to 5 " + four));
+    CHECK(said("3.5:5", "") ==
+          proved("Proved: at every mass ratio from 3.5 to 5 " + four, "--max, --min, --gap, --gaps"));
     CHECK(said("1:3/2", "") ==
           proved(
               "Proved: at every mass ratio from 1 to 1.5 no trajectory hits the floor more than 3 times, and "
-              "some trajectory hits it at least 2 times"));
+              "some trajectory hits it at least 2 times",
+              "--max, --min, --gap, --gaps"));
     // At an end that pieces share each of them says something, and so they do together.
     CHECK(said("2", "") ==
           proved("Proved: at mass ratio 2 no trajectory hits the floor more than 3 times, and "
                  "some trajectory hits it at least 2 times"));
     CHECK(said("4", "") == proved("Proved: at mass ratio 4 " + four +
-                                  "; in every trajectory the heavy mass hits the floor at most once"));
-    CHECK(said("3:4", "--max") ==
-          proved("Proved: at every mass ratio from 3 to 4 no trajectory hits the floor more than 4 times"));
+                                      "; in every trajectory the heavy mass hits the floor at most once",
+                                  "--max, --min, --heavy-at-most"));
     CHECK(
-        said("10/3:4", "--min") ==
-        proved("Proved: at every mass ratio from 10/3 to 4 some trajectory hits the floor at least 4 times"));
-    CHECK(said("10/3:4", "--exactly") == proved("Proved: at every mass ratio from 10/3 to 4 " + four));
+        said("3:4", "--max") ==
+        proved(
+            "Proved: at every mass ratio from 3 to 4 no trajectory hits the floor more than 4 times; the "
+            "greatest number is known in 1 of 2 pieces, open in 1; the stretches where it is not known have "
+            "a relative width of at most 0",
+            "--min, --gap, --gaps"));
+    CHECK(said("10/3:4", "--min") ==
+          proved("Proved: at every mass ratio from 10/3 to 4 some trajectory hits the floor at least 4 times",
+                 "--max, --gap, --gaps"));
+    CHECK(said("10/3:4", "--exactly").first ==
+          "  Proved: at every mass ratio from 10/3 to 4 " + four + ".\n");
     CHECK(said("1:5", "").second);
     CHECK(said("1:5", "").first ==
           "  No bound is proved that holds at every mass ratio from 1 to 5; the greatest number is known in "
           "2 of "
-          "5 pieces, one of two neighbouring values in 1, open in 2.\n");
+          "5 pieces, one of two neighbouring values in 1, open in 2; the stretches where it is not known "
+          "have a "
+          "relative width of at most 2.00e0. Not demanded: --max, --min, --gap, --gaps.\n");
     CHECK(said("2.5", "").second);
-    CHECK(said("2.5", "").first == "  No bound is proved that holds at mass ratio 2.5.\n");
+    CHECK(said("2.5", "").first ==
+          "  No bound is proved that holds at mass ratio 2.5. Not demanded: --max, --min.\n");
     CHECK(said("3", "").first == proved("Proved: at mass ratio 3 " + four).first);
 }
 
@@ -117,24 +136,28 @@ TEST_CASE("summary: the numbers of several files") {
     std::vector<Result> results;
     std::size_t n = 0;
     for (const Verdict verdict : all) results.resize(results.size() + ++n, result(verdict));
-    CHECK(summary_line(results) ==
-          "c files=21 verified=1 rejected=6 limit=5 unsupported=4 unreadable=2 open=3 exit=1");
-    CHECK(summary_line({verified()}) ==
-          "c files=1 verified=1 rejected=0 limit=0 unsupported=0 unreadable=0 open=0 exit=0");
+    CHECK(
+        summary_line(results) ==
+        "c files=21 verified=1 rejected=6 limit=5 unsupported=4 unreadable=2 nothing-proved=3 open=0 exit=1");
+    CHECK(
+        summary_line({verified(false)}) ==
+        "c files=1 verified=1 rejected=0 limit=0 unsupported=0 unreadable=0 nothing-proved=0 open=1 exit=0");
 }
 
 TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
     CHECK(
         json(verified()) ==
         R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},"rho":null,)"
-        R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"heavy_at_most":null},"sha256":"0f",)"
-        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"rho":null,"max":null,"min":null,"scene":null,"claim":null},)"
+        R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"widest_gap":"1/3","heavy_at_most":null},"sha256":"0f",)"
+        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"inertia":null,"rho":null,"max":null,"min":null,"gap":null,"gaps":null,)"
+        R"("heavy_at_most":null,"scene":null,"claim":null},)"
         R"("leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
         R"("work":0.000,"line":null,"code":null,"reason":null})");
     CHECK(
         json(result(Verdict::rejected, 7)) ==
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
-        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"rho":null,"max":null,"min":null,"scene":null,"claim":null},)"
+        R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"inertia":null,"rho":null,"max":null,"min":null,"gap":null,"gaps":null,)"
+        R"("heavy_at_most":null,"scene":null,"claim":null},)"
         R"("leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
     CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
@@ -150,12 +173,13 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
     r.job = &asked;
     const std::string text = json(r);
     CHECK(
-        verdict_line(r).ends_with(" sha256=0f demanded-ratio=1/1:2/1 max=5 min=2 demanded-claim=collisions"));
+        verdict_line(r).ends_with(" sha256=0f demanded-ratio=1/1:2/1 max=5 min=2 demanded-claim=collisions "
+                                  "not-demanded=gap,gaps,heavy-at-most"));
     CHECK(text.find(R"("upper":null,"lower":3)") != std::string::npos);
     CHECK(text.find(R"("heavy_at_most":1})") != std::string::npos);
     CHECK(
         text.find(
-            R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"rho":null,"max":5,"min":2,"scene":null,"claim":"collisions"})") !=
+            R"("demand":{"ratio":{"lo":"1/1","hi":"2/1"},"inertia":null,"rho":null,"max":5,"min":2,"gap":null,)") !=
         std::string::npos);
 }
 

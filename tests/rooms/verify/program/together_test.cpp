@@ -188,7 +188,7 @@ TEST_CASE("together: an open piece leaves no upper bound, and proves none") {
     };
     const std::string known = one_piece_file(10, 11), unknown = open("11/1", "12/1");
     CHECK(said_together({known, unknown}) ==
-          "s OPEN scene=dumbbell ratio=10/1:12/1 upper=none lower=0 gaps=0 open=2");
+          "s OPEN scene=dumbbell ratio=10/1:12/1 upper=none lower=0 gaps=0 open=2 widest-gap=2.00e-1");
     CHECK(said_together({known, unknown}, settings_asking({{10, 11}})).starts_with("s VERIFIED "));
     CHECK(said_together({known, unknown}, settings_asking({{11, 11}})).starts_with("s VERIFIED "));
     CHECK(said_together({known, unknown}, settings_asking({{10, 11}}, 4)).starts_with("s VERIFIED "));

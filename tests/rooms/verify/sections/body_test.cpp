@@ -228,35 +228,42 @@ TEST_CASE("scene body: the line rho has two ratios, at most 1, of bodies that th
     CHECK(said_of_bodies(make::replaced(coin, "total symmetric 1", "total once 0")) == "total");
 }
 
-TEST_CASE("scene body: a bound is demanded with rho, and repeated") {
+TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     const File file(coin);
     const auto asked = [&](const std::string& options) { return run(options + " " + file.path()); };
     const std::string verdict =
         "s VERIFIED scene=body ratio=4/1:4/1 rho=1/1:1/1 upper=4 lower=4 gaps=0 open=0 sha256=";
     CHECK(asked("").last().starts_with(verdict));
-    const auto exactly = asked("--scene body --ratio 4 --rho 1 --exactly 4");
+    const auto exactly = asked("--inertia 4 --rho 1 --exactly 4");
+    CHECK(asked("--coin --exactly 4").out == exactly.out);
+    CHECK(asked("--ratio 1 --rod-mass 0.5 --exactly 4").code == 1);
     CHECK(exactly.code == 0);
     CHECK(exactly.last().starts_with(verdict));
     CHECK(exactly.last().ends_with(
-        " demanded-ratio=4/1:4/1 demanded-rho=1/1:1/1 exactly=4 demanded-scene=body"));
+        " demanded-inertia=4/1:4/1 demanded-rho=1/1:1/1 exactly=4 demanded-scene=body"));
     CHECK(make::has(exactly,
-                    "Proved: at Q 4, at rho 1, no motion of the body without a corner hits the floor more "
-                    "than 4 times, and some "
-                    "motion hits it 4 times.\n"));
-    CHECK(asked("--scene body --rho 1 --max 3")
-              .last()
-              .ends_with("at most 3 collisions for every Q in 4/1:4/1"));
-    CHECK(asked("--scene body --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
+                    "Proved: at Q 4, at rho 1, no motion of the body in a plane, without a corner, hits the "
+                    "floor more than 4 times, and some motion hits it 4 times.\n"));
+    CHECK(
+        asked("--rho 1 --inertia 4 --max 3").last().ends_with("at most 3 collisions for every Q in 4/1:4/1"));
+    CHECK(asked("--inertia 4 --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
     CHECK(asked("--ratio 4 --max 4").code == 1);
-    for (const char* wrong : {"--scene body --max 4", "--rho 1 --max 4", "--scene body --rho 2 --max 4",
-                              "--scene body --rho 1:0.5 --max 4", "--scene body --rho 0"})
+    for (const char* wrong :
+         {"--scene body --max 4", "--rho 1 --max 4", "--inertia 4 --max 4", "--inertia 4 --rho 2 --max 4",
+          "--inertia 4 --rho 1:0.5 --max 4", "--rho 0", "--coin --rho 1", "--coin=1", "--coin --rod-mass 1",
+          "--rod-mass 1", "--ratio 1:2 --rod-mass 1", "--coin --scene wedge", "--coin --claim incoming"})
         CHECK(asked(wrong).code == 2);
-    CHECK(make::has(asked("--json --scene body --rho 1"),
+    for (const char* ratio : {"--rho 1 ", "--inertia 4 ", "--coin ", "--scene body "})
+        for (const char* value : {"4", "1/4"})
+            CHECK(asked(ratio + std::string("--ratio ") + value).err ==
+                  "dumbbell-verify: bodies have no --ratio: their Q is --inertia\n");
+    CHECK(asked("--rho 1 --inertia 1/4").code == 1);  // a number of its own, where mass ratios are inverted
+    CHECK(make::has(asked("--json --rho 1"),
                     R"("ratio":{"lo":"4/1","hi":"4/1"},"rho":{"lo":"1/1","hi":"1/1"},)"));
     CHECK(make::has(asked("--explain 1:cover"), "ceil(pi/corner) <= U: holds"));
-    const File list(file.path() + "\t--scene body --ratio 4 --rho 1 --exactly 4\n");
+    const File list(file.path() + "\t--coin --exactly 4\n");
     CHECK(run("--claims " + list.path()).code == 0);
-    const File short_list(file.path() + "\t--scene body --ratio 4 --exactly 4\n");
+    const File short_list(file.path() + "\t--inertia 4 --exactly 4\n");
     CHECK(run("--claims " + short_list.path()).code == 2);
 }
 
@@ -264,7 +271,7 @@ TEST_CASE("scene body: files of several rho prove nothing together") {
     const File first(body_text("3/1 4/1", "1/1 1/1", 4, "symmetric\n", 0, "")),
         next(body_text("4/1 9/1", "1/1 1/1", 5, "symmetric\n", 0, "")),
         open(mutated(body_text("4/1 9/1", "1/2 1/2", 5, "", 0, ""), "upper 5\n", "upper none\n"));
-    const std::string ask = "--together --scene body --rho 1 ";
+    const std::string ask = "--together --rho 1 --inertia 3:9 ";
     CHECK(run(ask + "--max 5 " + first.path() + " " + next.path()).code == 0);
     CHECK(run("--together " + first.path() + " " + open.path())
               .last()

@@ -44,7 +44,7 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     CHECK(code(ask + "--min 2") == 1);
     CHECK(code(ask + "--exactly 5") == 1);
     CHECK(code(ask + "--ratio 10 --max 5 --min 1") == 0);
-    CHECK(code(ask + "--ratio 0.1") == 0);
+    CHECK(code(ask + "--ratio 0.1") == 2);
     CHECK(code(ask + "--ratio 10:11") == 1);
     CHECK(code(ask + "--scene hybrid") == 1);
     CHECK(code("--claim collisions") == 1);
