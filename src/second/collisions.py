@@ -37,7 +37,7 @@ class Staircase:
         number = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
         return (f"scene={self.scene} ratio={interval_text(self.low, self.high)}{rho}"
                 f" upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={number} open={self.open}"
-                f" widest-gap={gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
+                f"{gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
                 f"{' heavy-at-most=1' if self.heavy_once else ''}")
 
     def not_demanded(self, demand):

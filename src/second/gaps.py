@@ -23,11 +23,12 @@ def gaps_in(pieces, low, high):
 
 
 def widest_text(pieces, low, high):
-    """The same as the verdict has it: `0`, or rounded up to 3 digits. Of a single ratio `0` if N is known there, else `point`."""
+    """The same as the verdict has it: `0`, or rounded up to 3 digits. Of a single ratio nothing."""
     if low == high:
-        return "0" if is_known_but_in_gaps(pieces, low, high, 0, 0) else "point"
+        return ""
     widest, _ = gaps_in(pieces, low, high)
-    return f"{UPWARD.divide(Decimal(widest.numerator), Decimal(widest.denominator)):.2e}" if widest else "0"
+    digits = f"{UPWARD.divide(Decimal(widest.numerator), Decimal(widest.denominator)):.2e}" if widest else "0"
+    return f" widest-gap={digits.replace('+', '')}"
 
 
 def is_known_but_in_gaps(pieces, low, high, width, number):

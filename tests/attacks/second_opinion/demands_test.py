@@ -40,11 +40,11 @@ class Demands(unittest.TestCase):
         """Those that touch are one; what is known at a point does not divide them; they end where the question does."""
         pieces = [(1, 2, 3, 3), (2, 3, 4, 3), (3, 3, 4, 4), (3, 4, 5, 4), (4, 5, 5, 5), (5, 6, None, 0), (6, 7, 6, 6)]
         pieces = [(Fraction(a), Fraction(b), u, v) for a, b, u, v in pieces]
-        for low, high, width, known in ((1, 5, "1.00e+0", 1), (1, 2, "0", 0), (3, 5, "3.34e-1", Fraction(1, 3)), (1, 7, "1.00e+0", None),
-                                        (2, Fraction(2003, 1000), "1.50e-3", Fraction(3, 2000)), (5, 5, "0", 0), (3, 3, "0", 0),
-                                        (Fraction(5, 2), Fraction(5, 2), "point", None), (6, 6, "0", 0)):
+        for low, high, width, known in ((1, 5, "1.00e0", 1), (1, 2, "0", 0), (3, 5, "3.34e-1", Fraction(1, 3)), (1, 7, "1.00e0", None),
+                                        (2, Fraction(2003, 1000), "1.50e-3", Fraction(3, 2000)), (5, 5, "", 0), (3, 3, "", 0),
+                                        (Fraction(5, 2), Fraction(5, 2), "", None), (6, 6, "", 0)):
             low, high = Fraction(low), Fraction(high)
-            self.assertEqual(gaps.widest_text(pieces, low, high), width)
+            self.assertEqual(gaps.widest_text(pieces, low, high), width and f" widest-gap={width}")
             for allowed in (0, Fraction(1, 10**9), Fraction(3, 2000), Fraction(1, 3), 1, 9):
                 is_known = gaps.is_known_but_in_gaps(pieces, low, high, allowed, None)
                 self.assertEqual(is_known, known is not None and allowed >= known, (low, high, allowed))
@@ -52,7 +52,7 @@ class Demands(unittest.TestCase):
     def test_ranges(self):
         weak = [{"upper": "upper 10", "lower": "lower 2"}.get(line.split(" ")[0], line) for line in STAIRS]
         more = [f"upper {int(line[6:]) + 1}" if line.startswith("upper ") else line for line in STAIRS]
-        self.demand(weak, "--ratio 1:100 --max 10 --min 2", r"^VERIFIED .* open=17 widest-gap=9.90e\+1 .* min=2 not-demanded=gap,gaps$")
+        self.demand(weak, "--ratio 1:100 --max 10 --min 2", r"^VERIFIED .* open=17 widest-gap=9.90e1 .* min=2 not-demanded=gap,gaps$")
         self.demand(weak, "--ratio 1:100 --max 10 --gap 0.999", "^REJECTED line=201 code=claim-not-proved ")
         self.demand(weak, "--ratio 50 --gap 0.999", "^REJECTED .* code=claim-not-proved ")
         self.demand(more, "--ratio 1:100 --gap 0.999", "^REJECTED .* code=claim-not-proved ")
