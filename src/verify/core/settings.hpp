@@ -23,7 +23,8 @@ struct Settings {
 
     /// A claim without a scene is about the dumbbell; empty: the file's own.
     [[nodiscard]] std::string_view demanded_scene() const {
-        const bool states = demand.ratios || demand.most || demand.least || !claim.empty();
+        const bool states = demand.ratios || demand.most || demand.least || demand.gap ||
+                            demand.gaps_at_most || heavy_once || !claim.empty();
         return scene.empty() && states ? std::string_view("dumbbell") : scene;
     }
 };
