@@ -172,8 +172,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"critical", "3:12", "--out", "ratios.tsv"}, folder.path()).code == 0);
-    check_documented("join", printed_by({{"join", "stairs.dbc", "--out", "whole.dbc"},
-                                         {"join", "ratios.tsv", "--out", "whole.tsv"}},
+    check_documented("join", printed_by({{"join", "stairs.dbc", "--range", "2:12", "--out", "whole.dbc"},
+                                         {"join", "ratios.tsv", "--range", "3:12", "--out", "whole.tsv"}},
                                         folder));
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out") 
         {"critical", "3:4", "--out", hostile + ".tsv"},
         {"critical", "3:4", "--json", "--out", hostile + ".tsv"},
         {"critical", "3:4", "--part", hostile},
-        {"join", stairs, stairs, "--out", hostile + "j.dbc"},
+        {"join", stairs, stairs, "--range", "1:3", "--out", hostile + "j.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out", hostile + "a.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--json", "--out", hostile + "a.dbc"},
         {"law", hostile},

@@ -83,7 +83,8 @@ TEST_CASE("a page has the verifier and the file, or report says how to have them
     CHECK(is_without != made.err.empty());
     if (is_without) {  // ./run web has not been run
         CHECK(made.err ==
-              "dumbbell: the page does not verify: ./run web makes the verifier that it would contain\n");
+              "dumbbell: Written. The page shows the proof; it does not contain the verifier (./run web adds "
+              "it)\n");
     } else {
         CHECK_THAT(bytes, StartsWith("ZHVtYmJlbGwtY2VydGlmaWNhdGUgMQ"));  // dumbbell-certificate 1
     }
