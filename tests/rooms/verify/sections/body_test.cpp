@@ -249,7 +249,8 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     CHECK(asked("--inertia 4 --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
     CHECK(asked("--ratio 4 --max 4").code == 1);
     for (const char* of_a_dumbbell : {"--gap 0", "--gaps 0", "--heavy-at-most 1"})
-        CHECK(asked(of_a_dumbbell).last().ends_with("the scene is body, and dumbbell was demanded (--scene)"));
+        CHECK(
+            asked(of_a_dumbbell).last().ends_with("the scene is body, and dumbbell was demanded (--scene)"));
     for (const char* wrong :
          {"--scene body --max 4", "--rho 1 --max 4", "--inertia 4 --max 4", "--inertia 4 --rho 2 --max 4",
           "--inertia 4 --rho 1:0.5 --max 4", "--rho 0", "--coin --rho 1", "--coin=1", "--coin --rod-mass 1",
