@@ -61,6 +61,7 @@ std::string Collisions::missing() const {
     const mpq_class &from = ratios ? ratios->first : lo, &to = ratios ? ratios->second : hi;
     const std::string range = (rho ? " for every Q in " : " for every mass ratio in ") + to_string(from, to);
     const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
+    if (asked.upper && *asked.upper < asked.lower) return "the bounds of the pieces exclude each other";
     if (from < lo || !covered(0)) return covered_part(lo, hi, from, to);
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
     if (rhos && !(rho && rho->first <= rhos->first && rhos->second <= rho->second))
