@@ -40,8 +40,8 @@ class FirstReflection : public Departures<N> {
         const auto slope = [&](const N& p, const N& c) {
             return D.lo > zero ? top(p, c) / divisor(p, c) : -(top(p, c) / -divisor(p, c));
         };
-        const I K(slope(x.hi, heavy ? cosine.lo : cosine.hi).lo,
-                  slope(x.lo, heavy ? cosine.hi : cosine.lo).hi);
+        const I K = span(slope(x.hi, heavy ? cosine.lo : cosine.hi).lo,
+                         slope(x.lo, heavy ? cosine.hi : cosine.lo).hi);
         return departure(heavy, angle, heavy ? r * sine : -sine, K, (D.lo > zero) != reversed, none);
     }
 

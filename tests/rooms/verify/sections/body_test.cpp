@@ -177,9 +177,11 @@ TEST_CASE(
 }
 
 TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
-    const auto most = [](const mpq_class& q, int count, const mpq_class& more_rho = 0) {
+    const auto most = [](const mpq_class& q, int count, const mpq_class& more_rho = 0,
+                         const mpq_class& more_q = 0) {
         Leaf leaf = leaf_of(0, q, mpq_class(1, 2));
         leaf.box.hi[3] += more_rho;
+        leaf.box.hi[2] += more_q;
         leaf.box.lo[0] = leaf.box.hi[0] = 3;
         leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(1, 100);
         leaf.a = count;
@@ -189,6 +191,7 @@ TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
     CHECK(most(2, 1));
     CHECK_FALSE(most(2, 0));
     CHECK_FALSE(most(2, 1, mpq_class(1, 20)));  // only one of these has no mass there
+    CHECK_FALSE(most(2, 1, 0, mpq_class(1, 20)));
     CHECK(most(mpq_class(11, 5), 2));
     CHECK_FALSE(most(mpq_class(11, 5), 1));
 }
