@@ -21,7 +21,6 @@ class ClaimReader : public Reader<Leaf> {
                   [this](const dumbbell_verify::Leaf& leaf, const std::string& path) {
                       take_of_step(leaf, path);
                   }} {
-        require_fitting_demand();
         proofs_.add_tallies();
         first_ = proof_.tallies.size();
         for (const auto rule : {Leaf::slope, Leaf::beyond}) proof_.tallies.push_back({Leaf::names.at(rule)});
@@ -29,7 +28,7 @@ class ClaimReader : public Reader<Leaf> {
     [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return "law"; }
+    [[nodiscard]] std::string_view kind() const override { return Claim::kind_name(); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         if (leaf.rule == Leaf::step) return turning().check(leaf.at_step, log);
         if (leaf.rule == Leaf::bulk) return check_bulk(leaf, log);
@@ -60,15 +59,6 @@ class ClaimReader : public Reader<Leaf> {
     }
 
     /// The law is about all mass ratios, and gives no number of collisions by itself.
-    void require_fitting_demand() const {
-        const Collisions& demand = settings_.demand;
-        const auto refuse = [](const char* text) { throw Failure{Verdict::unreadable, 0, "usage", text}; };
-        if (demand.ratios || demand.most || demand.least)
-            refuse(
-                "--ratio, --max, --min and --exactly are about certificates of single ratios and ranges; "
-                "this file is about the law for every mass ratio: ask with --claim law alone");
-    }
-
     template <class Places>
     void steps(const Places& places) {
         for (unsigned n = first_step; n <= last_step; ++n) {

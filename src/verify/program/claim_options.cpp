@@ -5,28 +5,17 @@
 #include <string_view>
 
 #include "verify/core/section.hpp"
+#include "verify/program/number_options.hpp"
 
 namespace dumbbell_verify {
 namespace {
 
-/// What [0-9]+/[0-9]+ stands for; 0 of other texts, and if the denominator is 0.
-mpq_class parse_fraction(std::string_view rest) {
-    const std::string top = take_digits(rest);
-    const bool is_fraction = take(rest, '/');
-    const std::string bottom = take_digits(rest);
-    if (top.empty() || !is_fraction || bottom.empty() || !rest.empty()) return 0;
-    const mpz_class denominator(bottom, 10);
-    return denominator == 0 ? mpq_class(0) : mpq_class(mpz_class(top, 10), denominator);
-}
-
 /// RATIO of the command line, exactly.
 mpq_class parse_ratio(const std::string& text) {
-    mpq_class ratio = 0;
-    if (text.size() <= 1000)
-        ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text).value_or(0);
-    if (ratio == 0) throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
-    ratio.canonicalize();
-    return ratio;
+    const auto ratio = parse_rational(text);
+    if (!ratio || *ratio == 0)
+        throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
+    return *ratio;
 }
 
 /// The interval of ratios that RATIO or LO:HI stands for, exactly.
@@ -54,11 +43,12 @@ Range parse_rhos(const std::string& text) {
 
 }  // namespace
 
-bool claim_option(Arguments& given, Settings& settings) {
+bool claim_option(Arguments& given, Request& settings) {
     constexpr std::array<std::string_view, 7> names{"--ratio",   "--rho",   "--max",  "--min",
                                                     "--exactly", "--scene", "--claim"};
     const std::string& name = given.option;
-    if (std::find(names.begin(), names.end(), name) == names.end()) return false;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        return number_option(given, settings.numbers);
     given.once();
     if (given.seen("--exactly") && (given.seen("--max") || given.seen("--min")))
         throw std::invalid_argument("--exactly N is --max N and --min N: give it without them");
@@ -87,7 +77,8 @@ bool claim_option(Arguments& given, Settings& settings) {
     return true;
 }
 
-void require_whole(const Settings& settings) {
+void require_whole(const Request& settings) {
+    require_fitting_kind(settings);
     const Collisions& demand = settings.demand;
     const bool is_body = settings.scene == "body";
     if (demand.rhos && !is_body) throw std::invalid_argument("--rho is about --scene body: give both");
@@ -100,7 +91,7 @@ const Collisions& own_demand(const Settings& settings) {
     return settings.together ? nothing : settings.demand;
 }
 
-std::string demand_text(const Settings& settings, const Collisions& demand) {
+std::string demand_text(const Request& settings, const Collisions& demand) {
     std::string text;
     if (demand.ratios) text = " demanded-ratio=" + to_string(demand.ratios->first, demand.ratios->second);
     if (demand.rhos) text += " demanded-rho=" + to_string(demand.rhos->first, demand.rhos->second);
@@ -109,7 +100,7 @@ std::string demand_text(const Settings& settings, const Collisions& demand) {
     if (demand.least && !both) text += " min=" + demand.least->get_str();
     if (!settings.scene.empty()) text += " demanded-scene=" + settings.scene;
     if (!settings.claim.empty()) text += " demanded-claim=" + settings.claim;
-    return text;
+    return text + numbers_text(settings.numbers);
 }
 
 }  // namespace dumbbell_verify

@@ -45,13 +45,17 @@ std::string work(bool known, const Proof& proof) {
     const std::string rest = std::to_string(1000 + n % 1000);
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
-std::string demand(const Settings& settings, const Collisions& d) {
+std::string demand(const Request& settings, const Collisions& d) {
+    std::vector<Member> numbers;
+    for (const auto& [name, both] : settings.numbers)
+        numbers.push_back({name, range(both.first, both.second)});
     return object({{"ratio", range(d.ratios)},
                    {"rho", range(d.rhos)},
                    {"max", count(d.most)},
                    {"min", count(d.least)},
                    {"scene", string_unless(settings.scene.empty(), settings.scene)},
-                   {"claim", string_unless(settings.claim.empty(), settings.claim)}});
+                   {"claim", string_unless(settings.claim.empty(), settings.claim)},
+                   {"numbers", object(numbers)}});
 }
 
 std::string claim(const Result& result) {
@@ -79,7 +83,7 @@ std::string list(const std::vector<Result>& files) {
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const Settings& settings = result.job->settings;
+    const Request& settings = result.job->settings;
     const bool right = result.is_right(), verified = why.verdict == Verdict::verified;
     std::vector<Member> leaves, coverage;
     for (const Tally& tally : right ? result.proof.tallies : std::vector<Tally>()) {

@@ -12,8 +12,8 @@ namespace dumbbell_verify {
 
 /// What the command line has asked for so far.
 struct Asked {
-    Options options;    ///< its jobs are the files, without their settings
-    Settings settings;  ///< of each file
+    Options options;   ///< its jobs are the files, without their settings
+    Request settings;  ///< of each file
     std::string claims;
 };
 

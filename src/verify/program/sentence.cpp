@@ -1,6 +1,7 @@
 #include "verify/program/sentence.hpp"
 
 #include "verify/core/section.hpp"
+#include "verify/program/number_options.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -72,7 +73,10 @@ std::string about_collisions(const Result& result) {
 }  // namespace
 
 std::string sentence(const Result& result) {
-    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); })) return *text;
+    const std::string names = not_demanded(result.proof, result.job->settings, ", "),
+                      rest = names.empty() ? "" : "  Not demanded: " + names + ".\n";
+    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); }))
+        return *text + rest;
     return "  " + about_collisions(result) + ".\n";
 }
 

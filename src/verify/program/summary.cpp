@@ -7,6 +7,7 @@
 #include "verify/core/section.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
+#include "verify/program/number_options.hpp"
 #include "verify/program/sentence.hpp"
 
 namespace dumbbell_verify {
@@ -23,10 +24,12 @@ std::string claim_text(const Result& result) {
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
-    const Settings& settings = result.job->settings;
-    if (result.is_right())
+    const Request& settings = result.job->settings;
+    if (result.is_right()) {
+        const std::string names = not_demanded(result.proof, settings, ",");
         return claim_text(result) + " sha256=" + result.proof.digest +
-               demand_text(settings, own_demand(settings));
+               demand_text(settings, own_demand(settings)) + (names.empty() ? "" : " not-demanded=" + names);
+    }
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";

@@ -9,6 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "verify/program/claim_options.hpp"
+
 namespace dumbbell_mutation {
 namespace {
 
@@ -92,33 +94,13 @@ std::string manifest_text(const std::vector<Entry>& entries) {
     return text;
 }
 
-dumbbell_verify::Settings settings_of(const std::string& options) {
-    dumbbell_verify::Settings settings;
-    const auto words = options.empty() ? std::vector<std::string>{} : split(options, ' ');
-    for (std::size_t i = 0; i < words.size(); i += 2) {
-        if (i + 1 == words.size()) throw std::runtime_error("no value after " + words[i]);
-        const std::string &name = words[i], &value = words[i + 1];
-        if (name == "--ratio") {
-            const auto ends = split(value, ':');
-            settings.demand.ratios = std::pair(mpq_class(ends.front()), mpq_class(ends.back()));
-        } else if (name == "--rho") {
-            const auto ends = split(value, ':');
-            settings.demand.rhos = std::pair(mpq_class(ends.front()), mpq_class(ends.back()));
-        } else if (name == "--max") {
-            settings.demand.most = std::stoul(value);
-        } else if (name == "--min") {
-            settings.demand.least = std::stoul(value);
-        } else if (name == "--exactly") {
-            settings.demand.most = settings.demand.least = std::stoul(value);
-        } else if (name == "--scene") {
-            settings.scene = value;
-        } else if (name == "--claim") {
-            settings.claim = value;
-        } else {
-            throw std::runtime_error("unknown option " + name);
-        }
-    }
-    return settings;
+dumbbell_verify::Request settings_of(const std::string& options) {
+    dumbbell_verify::Request request;
+    dumbbell_verify::Arguments given(options.empty() ? std::vector<std::string>{} : split(options, ' '));
+    while (given.next())
+        if (!claim_option(given, request)) throw std::runtime_error("unknown option " + given.word);
+    require_whole(request);
+    return request;
 }
 
 Entry entry_of(const Outcome& outcome) {
