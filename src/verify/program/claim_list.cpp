@@ -43,7 +43,7 @@ std::filesystem::path folder_of(const std::filesystem::path& list) {
     return std::filesystem::is_regular_file(list, none) ? list.parent_path() : "";
 }
 
-Job parse_row(const std::string& row, const std::filesystem::path& folder, Settings settings) {
+Job parse_row(const std::string& row, const std::filesystem::path& folder, Request settings) {
     const auto fields = split(row, '\t');
     if (fields.size() < 2 || fields[0].empty())
         throw std::invalid_argument(
@@ -60,15 +60,21 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
         if (fields[i].substr(std::min(fields[i].find_first_not_of(' '), fields[i].size())).starts_with("--"))
             throw std::invalid_argument("a demand behind the second tab, where remarks are: put it before");
     const Collisions& demand = settings.demand;
-    if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
+    const auto& numbers = settings.numbers;
+    const bool is_whole = adiabatic::kind_named(settings.claim)
+                              ? numbers.contains("delta") && numbers.contains("constant")
+                              : demand.ratios && (demand.most || demand.least || numbers.contains("decided"));
+    if (settings.claim != "law" && !is_whole)
         throw std::invalid_argument(
-            "the claim needs --ratio or a body, and --max, --min or --exactly; or it is --claim law");
+            "the claim needs --ratio or a body, and --max, --min, --exactly or --decided; or it is --claim "
+            "law, or "
+            "--claim adiabatic-... with --delta and --constant");
     return {fields[0] == "-" ? "-" : (folder / fields[0]).string(), std::move(settings)};
 }
 
 }  // namespace
 
-std::vector<Job> read_claims(const std::string& path, const Settings& settings) {
+std::vector<Job> read_claims(const std::string& path, const Request& settings) {
     std::vector<Job> jobs;
     std::string where = path;
     try {

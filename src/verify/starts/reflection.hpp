@@ -54,7 +54,8 @@ class FirstReflection : public Departures<N> {
                                        bool& none) {
         const double humps = to_double(down, angle.lo) / to_double(down, half_turn.lo);
         if (!fact("an angle within reach", std::abs(humps) < most_quarters)) return std::nullopt;
-        const int n = static_cast<int>(std::floor(humps));
+        int n = static_cast<int>(std::floor(humps)) - 1;  // next to a corner doubles are not enough
+        while ((I(n + 1) * half_turn).hi < angle.lo) ++n;
         const I begin = I(n) * half_turn, end = I(n + 1) * half_turn, peak = begin + quarter;
         if (!fact("all contacts on one wall", begin.hi < angle.lo && angle.hi < end.lo)) return std::nullopt;
         if (!heavy) {

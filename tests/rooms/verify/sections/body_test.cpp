@@ -17,7 +17,7 @@ namespace {
 /// What is said of a text, whose scene is demanded: `verified`, or the code of the failure.
 std::string said_of_bodies(const std::string& text, unsigned precision = 0) try {
     const File file(text);
-    Settings settings;
+    Request settings;
     settings.scene = "body";
     settings.precision = precision;
     verify(file.path(), settings);
