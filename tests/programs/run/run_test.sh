@@ -3,7 +3,7 @@
 # and exit code pass through. Works in a scratch project next to copies of the real scripts.
 set -euo pipefail
 
-source_root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
+source_root=$(readlink -f -- "$(dirname -- "$0")/../../..")
 source "$source_root/tests/programs/package/expect.sh"
 project="$scratch/a project" # a path with a space
 fake=$scratch/fake
