@@ -14,6 +14,11 @@ function(dumbbell_import package target header library)
     IMPORTED_LOCATION "${${package}_LIBRARY}"
     INTERFACE_INCLUDE_DIRECTORIES "${${package}_INCLUDE_DIR}"
     INTERFACE_LINK_LIBRARIES "${ARGN}")
+  # Found again by what is linked; CMAKE_INSTALL_RPATH_USE_LINK_PATH leaves out what lies in the build folder (docs/install.md).
+  cmake_path(GET ${package}_LIBRARY PARENT_PATH folder)
+  if(NOT CMAKE_SYSROOT AND NOT folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES AND NOT folder IN_LIST CMAKE_INSTALL_RPATH)
+    set(CMAKE_INSTALL_RPATH ${CMAKE_INSTALL_RPATH} ${folder} PARENT_SCOPE)
+  endif()
 endfunction()
 
 dumbbell_import(GMP GMP::gmp gmp.h gmp)
