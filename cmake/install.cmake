@@ -49,7 +49,7 @@ if(TARGET dumbbell_python)
   set(module lib/python${Python_VERSION_MAJOR}/dist-packages/dumbbell)  # where Debian's Python looks
   add_dependencies(installable dumbbell_python)
   install(TARGETS dumbbell_python LIBRARY DESTINATION ${module} COMPONENT python)
-  install(FILES src/python/__init__.py src/python/__init__.pyi src/python/py.typed DESTINATION ${module} COMPONENT python)
+  install(FILES src/python/__init__.py src/python/__init__.pyi src/python/_given.py src/python/py.typed DESTINATION ${module} COMPONENT python)
 endif()
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.bib CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -30,7 +30,7 @@ void require_readable(const std::string& path);
 /// Every failure is an InputError that names the file and the line.
 class Lines {
   public:
-    explicit Lines(const std::string& path);
+    explicit Lines(const NamedFile& file);
 
     /// The next line's fields; valid until the next call.
     const std::vector<std::string>& next();

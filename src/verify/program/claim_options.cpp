@@ -22,7 +22,7 @@ mpq_class parse_fraction(std::string_view rest) {
 /// RATIO of the command line, exactly.
 mpq_class parse_ratio(const std::string& text) {
     mpq_class ratio = 0;
-    if (text.size() <= 1000)
+    if (text.size() <= 2100)
         ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text).value_or(0);
     if (ratio == 0) throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
     ratio.canonicalize();
