@@ -19,13 +19,15 @@ class Outside {
     Outside() {
         ++inside;
         state_ = PyEval_SaveThread();
+        if (is_over()) {
+            sleep();
+        }
     }
     ~Outside() {
-        const bool goes_on = locked();
-        --inside;
-        while (!goes_on) {
-            ::pause();
+        if (!locked()) {
+            sleep();
         }
+        --inside;
     }
     Outside(const Outside&) = delete;
     Outside& operator=(const Outside&) = delete;
@@ -65,6 +67,12 @@ class Outside {
   private:
     using Clock = std::chrono::steady_clock;
 
+    [[noreturn]] static void sleep() {
+        --inside;
+        while (true) {
+            ::pause();
+        }
+    }
     [[nodiscard]] bool is_over() const { return ending && caller_ != last; }
 
     /// Takes the lock, unless the interpreter ends: who is inside has it before that goes on.
