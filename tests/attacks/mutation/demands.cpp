@@ -88,7 +88,9 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
                     const bool proved = proves(data.pieces, lo, hi, bounds);
                     for (const bool wider : {false, true}) {
                         demands.push_back({settings_of(lo, hi, bounds, "body"),
-                                           range + bounds.text() + " --scene body", proved && !wider});
+                                           "--inertia " + dumbbell::to_fraction(lo) + ":" +
+                                               dumbbell::to_fraction(hi) + bounds.text(),
+                                           proved && !wider});
                         rhos(demands.back(), wider ? heights->lo * Rational(9, 10) : heights->lo,
                              heights->hi);
                     }
@@ -97,6 +99,7 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
                     demands.push_back({settings_of(lo, hi, bounds, scene),
                                        range + bounds.text() + " --scene " + scene,
                                        scene == name(data.scene) && proves(data.pieces, lo, hi, bounds)});
+                if (data.heights) continue;  // with --claim initial-conditions --inertia is wrong usage
                 demands.push_back({settings_of(lo, hi, bounds, std::string(name(data.scene))),
                                    range + bounds.text() + " --scene " + std::string(name(data.scene)) +
                                        " --claim initial-conditions",

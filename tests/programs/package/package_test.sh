@@ -117,7 +117,7 @@ configure 'dumbbell_add_proof_check(list CLAIMS claims.tsv)'
 expect "a list is accepted" is "$code" 0
 printf 'q-10.dbc\t--ratio 10\n' > "$user/claims.tsv"
 check
-expect "a list without a claim fails" has "$out" "claims.tsv:1: the claim needs --ratio, and --max, --min or --exactly"
+expect "a list without a claim fails" has "$out" "claims.tsv:1: the claim needs --ratio or a body, and --max, --min, --exactly or --decided"
 
 sed -i /enable_testing/d "$user/CMakeLists.txt"
 run cmake --fresh -S "$user" -B "$user/build" "-DCMAKE_PREFIX_PATH=$prefix"

@@ -85,7 +85,7 @@ test("what is claimed is said, with its lemmas", async () => {
         "Monotone step: a lower, flatter ray never has fewer collisions left",
         "With Q = (d1/k)\u00b2 = 4 no trajectory of a body with \u03c1 = d2/d1 = 1 (in a plane, as long as it meets no corner) hits the floor more than 4 times",
         "motions close to the corner have 4 collisions, for Q = 4.",
-        "dumbbell verify --scene body --ratio 4 --rho 1 --exactly 4",
+        "dumbbell verify --coin --exactly 4",
         "Witness: a body\u2019s orbit that has so many collisions",
         "Not rigorous: computed by this page in double precision",
     ]) {
