@@ -49,6 +49,9 @@ if(TARGET dumbbell_python)
   set(module lib/python${Python_VERSION_MAJOR}/dist-packages/dumbbell)  # where Debian's Python looks
   add_dependencies(installable dumbbell_python)
   install(TARGETS dumbbell_python LIBRARY DESTINATION ${module} COMPONENT python)
+  # Its libraries are not beside it then.
+  install(CODE "file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${module}/$<TARGET_FILE_NAME:dumbbell_python>\")"
+    COMPONENT python)
   install(FILES src/python/__init__.py src/python/__init__.pyi src/python/py.typed DESTINATION ${module} COMPONENT python)
 endif()
 

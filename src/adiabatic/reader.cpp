@@ -102,8 +102,8 @@ Certificate head_from(Lines& lines) {
 
 }  // namespace
 
-Certificate read_certificate(const std::string& path) {
-    Lines lines(path);
+Certificate read_certificate(const NamedFile& file) {
+    Lines lines(file);
     Certificate certificate = head_from(lines);
     const bool is_bounce = certificate.hypotheses.claim == Claim::bounce;
     certificate.bits =

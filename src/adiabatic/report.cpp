@@ -14,13 +14,11 @@ namespace {
 constexpr int shown_digits =
     7;  ///< of an initial condition, for people; the exact one is in the certificate and in --json
 
-std::string number(const Rational& x) { return x == 0 ? "0" : exact_text(x); }
-
 /// 0 is no delta.
 std::string delta_text(const Hypotheses& of) {
     const auto& [lo, hi] = of.delta;
-    return lo == hi ? fmt::format("delta = {}", number(lo))
-                    : fmt::format("every delta in {}{}, {}]", lo == 0 ? '(' : '[', number(lo), number(hi));
+    return lo == hi ? fmt::format("delta = {}", spelled(lo))
+                    : fmt::format("every delta in {}{}, {}]", lo == 0 ? '(' : '[', spelled(lo), spelled(hi));
 }
 
 /// delta^(sixteenths/16); empty if that is 1.
@@ -33,12 +31,12 @@ std::string power(int sixteenths) {
 }
 
 std::string margin_text(const Hypotheses& of) {
-    const std::string factor = of.margin == 1 ? "" : number(of.margin) + " ";
+    const std::string factor = of.margin == 1 ? "" : spelled(of.margin) + " ";
     switch (of.claim) {
         case Claim::bounce:
-            return of.exponent == 0 ? number(of.margin) : factor + power(of.exponent);
+            return of.exponent == 0 ? spelled(of.margin) : factor + power(of.exponent);
         case Claim::run:
-            return number(of.margin);
+            return spelled(of.margin);
         default:
             return factor + "sqrt(delta)";
     }
@@ -69,7 +67,7 @@ std::string hypotheses_text(const Hypotheses& of) {
         "For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 just before",
         delta);
     const std::string heights =
-        fmt::format("at a height y from {} to {},", number(of.heights.first), number(of.heights.second));
+        fmt::format("at a height y from {} to {},", spelled(of.heights.first), spelled(of.heights.second));
     switch (of.claim) {
         case Claim::bounce:
             return fmt::format(
@@ -96,7 +94,7 @@ std::string state_text(const State& state) {
     const std::string u = to_decimal(state.u, shown_digits), s = to_decimal(state.s, shown_digits);
     const std::string ydot =
         state.s == 0 ? "= 0" : fmt::format("{} -{} delta", parse_rational(s) == state.s ? "=" : "about", s);
-    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {}, n = {}", number(state.delta),
+    return fmt::format("delta = {}, distance {}{} from the vertical, ydot {}, n = {}", spelled(state.delta),
                        parse_rational(u) == state.u ? "" : "about ", u, ydot, state.n);
 }
 
@@ -110,7 +108,7 @@ std::string unit_text(const Unit& unit) { return unit.unit.empty() ? "" : " " + 
 std::string bound_text(const Proof& proof, std::size_t i) {
     const Unit unit = units(proof.of)[i];
     return i < proof.bounds.size()
-               ? fmt::format("{} <= {}{}", unit.error, number(proof.bounds[i]), unit_text(unit))
+               ? fmt::format("{} <= {}{}", unit.error, spelled(proof.bounds[i]), unit_text(unit))
                : fmt::format("{}: no bound was certified", unit.error);
 }
 
@@ -118,7 +116,7 @@ std::string error_text(const Proof& proof, std::size_t i) {
     const std::string in = unit_text(units(proof.of)[i]);
     std::string text = "  " + bound_text(proof, i) + '\n';
     if (i < proof.attained.size()) {
-        text += fmt::format("    attained: at least {}{} ({})\n", number(proof.attained[i].value), in,
+        text += fmt::format("    attained: at least {}{} ({})\n", spelled(proof.attained[i].value), in,
                             state_text(proof.attained[i]));
         if (i < proof.bounds.size()) {
             text +=
@@ -141,7 +139,7 @@ std::string result_text(const Report& report, const Result& result) {
         text += fmt::format(
             "The bound is proved; it exceeds what is attained by more than the relative accuracy {} that "
             "was aimed at (--accuracy).\n",
-            number(report.accuracy));
+            spelled(report.accuracy));
     }
     return text + fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
 }
@@ -155,8 +153,8 @@ std::string table_text(const Report& report) {
             const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
             const std::string unit = names[i].unit.empty() ? "" : " " + names[i].unit;
             lines.push_back({margin_text(proof.of), names[i].error,
-                             bounded ? number(proof.bounds[i]) + unit : "-",
-                             found ? number(proof.attained[i].value) + unit : "-",
+                             bounded ? spelled(proof.bounds[i]) + unit : "-",
+                             found ? spelled(proof.attained[i].value) + unit : "-",
                              bounded && found ? ratio_text(proof.bounds[i], proof.attained[i]) : "-",
                              fmt::format("{}", proof.leaves), fmt::format("{:.1f}", result.seconds)});
         }
@@ -231,8 +229,10 @@ std::string to_text(const Report& report) {
         text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
     }
     if (report.out) {
-        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}\n",
-                            one_line(*report.out), *report.sha256, shell_file(*report.out));
+        const Proof& proof = report.results.front().proof;
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {} {}\n",
+                            one_line(*report.out), *report.sha256,
+                            claim_options(proof.of, proof.bounds, proof.attained), shell_file(*report.out));
     }
     return text;
 }

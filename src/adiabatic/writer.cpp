@@ -1,6 +1,9 @@
 #include "adiabatic/writer.hpp"
 
+#include <fmt/core.h>
+
 #include "base/error.hpp"
+#include "number/decimal.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -91,6 +94,25 @@ SealedText render(const Certificate& certificate) {
                   to_fraction(state.delta), state.n, to_fraction(state.value));
     }
     return std::move(body).finished();
+}
+
+std::string claim_options(const Hypotheses& of, const std::vector<Rational>& bounds,
+                          const std::vector<State>& attained) {
+    std::string text =
+        fmt::format("--claim {} --delta {}", name(of.claim), spelled(of.delta.first, of.delta.second));
+    if (of.claim != Claim::scattering) {
+        text += " --heights " + spelled(of.heights.first, of.heights.second);
+    }
+    text += " --margin " + spelled(of.margin);
+    if (of.claim == Claim::bounce) {
+        text += " --exponent " + spelled(Rational(of.exponent, 16));
+    }
+    std::string constants, values;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        constants += (i == 0 ? " --constant " : ",") + spelled(bounds[i]);
+        values += (i == 0 ? " --attained " : ",") + spelled(attained.at(i).value);
+    }
+    return text + constants + values;
 }
 
 }  // namespace dumbbell::adiabatic

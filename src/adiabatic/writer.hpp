@@ -10,6 +10,10 @@ namespace dumbbell::adiabatic {
 /// The one canonical spelling (format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
 [[nodiscard]] SealedText render(const Certificate& certificate);
 
+/// Words for the command line of the verifier, with which it is asked for all that a file says.
+[[nodiscard]] std::string claim_options(const Hypotheses& of, const std::vector<Rational>& bounds,
+                                        const std::vector<State>& attained);
+
 /// The claim's word in the file.
 [[nodiscard]] constexpr std::string_view name(Claim claim) {
     switch (claim) {

@@ -7,7 +7,7 @@
 
 namespace dumbbell::api {
 
-/// The exact value of MassRatio::lo() or hi(): a number of 1,000 characters can have a longer fraction.
+/// The exact value of MassRatio::lo() or hi(): a number of 2,100 characters can have a longer fraction.
 [[nodiscard]] inline Rational exact_ratio(const std::string& fraction) {
     return parse_rational(fraction, std::numeric_limits<std::size_t>::max());
 }

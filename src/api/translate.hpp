@@ -1,7 +1,5 @@
 #pragma once
 
-#include <flint/flint.h>
-
 #include <new>
 #include <optional>
 #include <system_error>
@@ -11,6 +9,7 @@
 #include "api/stack.hpp"
 #include "base/error.hpp"
 #include "dumbbell/error.hpp"
+#include "number/flint.hpp"
 #include "number/sound_arithmetic.hpp"
 
 namespace dumbbell::api {

@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <flint/flint.h>
 #include <fmt/core.h>
 #include <gmp.h>
 #include <unistd.h>
@@ -20,6 +19,7 @@
 #include "cli/options/parse.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
+#include "number/flint.hpp"
 #include "number/sound_arithmetic.hpp"
 
 namespace dumbbell::cli {

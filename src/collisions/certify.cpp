@@ -122,16 +122,28 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceO
 
 }  // namespace
 
+bool fit_a_line(const Rational& x, const Rational& y) {
+    constexpr std::size_t most = 4084;  // of 4096 bytes, without the line's word
+    return to_fraction(x).size() + to_fraction(y).size() <= most;
+}
+
 std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi, Scene scene,
                                         Section section) {
     constexpr int common = SceneRow{}.most_digits;
     const bool single = q_lo == q_hi && section == Section::turning;
     const int most = single ? row_of(scene).most_digits : common;
     const bool far = most > common;
+    if (!fit_a_line(q_lo, q_hi)) {
+        return fmt::format("{} is too long for a line of a certificate: write fewer digits",
+                           printable(exact_text(q_lo), 40));
+    }
     if (q_hi <= Rational(pow(Integer(10), static_cast<unsigned>(most)))) {
         return std::nullopt;
     }
     const std::string q = exact_text(q_hi);
+    if (scene == Scene::body) {
+        return fmt::format("Q = {} is beyond 10^{}, the greatest that is tried", printable(q, 40), most);
+    }
     return fmt::format(
         "the mass ratio {} is beyond 10^{}, the greatest that is tried{}: one orbit has about 10^{} "
         "collisions there{}",

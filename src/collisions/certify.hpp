@@ -33,9 +33,12 @@ struct CertifyRequest {
 /// not sound.
 [[nodiscard]] std::vector<ProvedPiece> certify(const CertifyRequest& request);
 
-/// Why nothing is tried of the mass ratios, in a line for the user; nothing if they are within reach: a
-/// single ratio of the dumbbell (turning section) up to 10^100, where one orbit has about 10^50 collisions;
-/// others up to 10^36, where a count has 64 bits.
+/// Whether a line of a certificate has room for these two numbers.
+[[nodiscard]] bool fit_a_line(const Rational& x, const Rational& y);
+
+/// Why nothing is tried of the mass ratios, in a line for the user; nothing if they fit a line of a
+/// certificate and are within reach: a single ratio of the dumbbell (turning section) up to 10^100, where one
+/// orbit has about 10^50 collisions; others up to 10^36, where a count has 64 bits.
 [[nodiscard]] std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi,
                                                       Scene scene = Scene::dumbbell,
                                                       Section section = Section::turning);

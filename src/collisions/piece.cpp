@@ -10,15 +10,19 @@
 namespace dumbbell::collisions {
 namespace {
 
+constexpr int most_in_file = 4096,
+              more_in_file = 32;  ///< bits: of any file, and than here next to critical ratios
+
 /// Calls attempt with a null value of the arithmetic for each precision in turn until it meets no obstacle.
 template <class Attempt>
 Obstacle escalate(const PieceOptions& options, Attempt attempt) {
     const PrecisionScope scope(double_bits);
     Obstacle obstacle = attempt(Interval(), double_bits);
-    for (int bits = 128; obstacle != Obstacle::none && bits <= options.max_bits; bits *= 2) {
+    for (int bits = double_bits; obstacle != Obstacle::none && bits < options.max_bits;) {
         if (options.interrupted()) {
             return Obstacle::time;
         }
+        bits = bits == double_bits ? 128 : std::min(2 * bits, options.max_bits);
         const PrecisionScope wider(bits);
         obstacle = attempt(BigInterval(), bits);
     }
@@ -106,7 +110,11 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     constexpr long least_long = 10'000;
     const bool is_close = options.section == Section::turning && upper < least_long;
     const bool is_double = bits == double_bits && options.scene != Scene::body;
-    piece.bits = is_double ? double_bits : is_close ? bits + 32 : 2 * bits;
+    const int bits_of_file = is_double ? double_bits : is_close ? bits + more_in_file : 2 * bits;
+    if (bits_of_file > most_in_file) {
+        return Obstacle::maximum;
+    }
+    piece.bits = bits_of_file;
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.
@@ -143,7 +151,9 @@ ProvedPiece proved_between(const Rational& q_lo, const Rational& q_hi, const Goa
 
 PieceOptions piece_options(Scene scene, Section section) {
     PieceOptions options{.scene = scene, .section = section};
-    if (section != Section::turning) {
+    if (section == Section::turning) {
+        options.max_bits = most_in_file - more_in_file;
+    } else {
         options.max_nodes = 20'000'000;  // all states, not a section of them
     }
     if (scene == Scene::body) {

@@ -11,7 +11,7 @@ struct PieceOptions {
     Section section = Section::turning;
     bool parallel = false;  ///< use the arena's threads inside one piece
     /// The precision escalates up to here: 53 (double), then 128, 256, ... The file allows the verifier twice
-    /// as many, and the format no more than 4096.
+    /// as many, or next to critical ratios a few more, and the format no more than 4096.
     int max_bits = 2048;
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     Interrupted interrupted = never;

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "collisions/demand.hpp"
 #include "collisions/names.hpp"
 #include "collisions/orbit_text.hpp"
 #include "collisions/scene.hpp"
@@ -19,6 +21,16 @@ namespace {
 
 std::string range_text(const Rational& lo, const Rational& hi) {
     return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
+}
+
+Certificate frame_of(const ProofReport& report) {
+    return {.pieces = {}, .scene = report.scene, .section = report.section, .heights = report.heights};
+}
+
+std::vector<const Piece*> pieces_of(const ProofReport& report) {
+    std::vector<const Piece*> pieces;
+    std::ranges::transform(report.rows, std::back_inserter(pieces), &ReportRow::piece);
+    return pieces;
 }
 
 /// Not computed for the greatest ratios.
@@ -180,13 +192,6 @@ Json part_json(const RatioPart& part) {
                          {"hi", to_fraction(part.whole_hi)}});
 }
 
-/// What a cover of the full section proves besides the count (its chart `again`, L19).
-bool heavy_at_most_once(const ProofReport& report) {
-    return report.section != Section::turning && !report.heights &&
-           std::all_of(report.rows.begin(), report.rows.end(),
-                       [](const ReportRow& row) { return row.piece->upper.has_value(); });
-}
-
 Json start_json(const WitnessStart& start) {
     return Json::object({{"phi", start.phi},
                          {"phidot", start.phidot},
@@ -248,12 +253,13 @@ std::string to_text(const ProofReport& report) {
     text += fmt::format("{} in {:.2f} s with {}\n\n", plural(report.rows.size(), "piece"), report.seconds,
                         plural(report.jobs, "thread"));
     text += verdict(report) + witness_sentence(report);
-    if (heavy_at_most_once(report)) {
+    if (heavy_at_most_once(frame_of(report), pieces_of(report))) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }
     if (report.out) {
-        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
-                            one_line(*report.out), *report.sha256, option_of(report.scene),
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {} {}\n",
+                            one_line(*report.out), *report.sha256,
+                            options_to_check(frame_of(report), pieces_of(report), report.rod),
                             shell_file(*report.out));
     }
     return text;
@@ -273,7 +279,8 @@ Json to_json(const ProofReport& report) {
          {"gap", to_fraction(report.gap)},
          {"jobs", report.jobs},
          {"pieces", pieces},
-         {"heavy_at_most_once", heavy_at_most_once(report) ? Json(true) : Json()},
+         {"heavy_at_most_once",
+          heavy_at_most_once(frame_of(report), pieces_of(report)) ? Json(true) : Json()},
          {"decided_fraction", decided_fraction(report.undecided)},
          {"undecided_share", to_fraction(report.undecided)},
          {"seconds", report.seconds},

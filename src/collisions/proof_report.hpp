@@ -38,6 +38,7 @@ struct ProofReport {
     double seconds;
     Rational undecided;  ///< share of the range
     std::vector<ReportRow> rows{};
+    std::string rod{};  ///< as whole_demand has it
     std::optional<std::string> out{};
     std::optional<std::string> sha256{};
 };

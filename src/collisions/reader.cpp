@@ -145,9 +145,9 @@ std::size_t claimed_pieces(const std::string& path) try {
     return 0;  // who reads it says what is wrong with it
 }
 
-Certificate read_certificate(const std::string& path) {
-    Lines lines(path);
-    const ClaimedHead head = head_from(lines, path);
+Certificate read_certificate(const NamedFile& file) {
+    Lines lines(file);
+    const ClaimedHead head = head_from(lines, file.path);
     Certificate certificate{.generator = head.generator,
                             .pieces = {},
                             .scene = head.scene,

@@ -13,22 +13,30 @@
 
 namespace dumbbell {
 
-FileToRead::FileToRead(std::string path) : path_(std::move(path)) {
+FileToRead::FileToRead(NamedFile file) : named_(std::move(file)) {
+    if (named_.contents) {
+        return;
+    }
     struct stat what {};
     // Before it is opened: who opens a named pipe waits for somebody who writes to it.
-    if (::stat(path_.c_str(), &what) != 0) {
+    if (::stat(path().c_str(), &what) != 0) {
         fail(errno == ENOENT ? "no such file" : std::strerror(errno));
     }
     if (!S_ISREG(what.st_mode)) {
         fail(S_ISDIR(what.st_mode) ? "it is a directory" : "not a regular file");
     }
-    file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+    file_ = Descriptor(::open(path().c_str(), O_RDONLY | O_CLOEXEC));
     if (file_.get() < 0) {
         fail(std::strerror(errno));
     }
 }
 
 std::string_view FileToRead::next(std::span<char> room) {
+    if (named_.contents) {
+        const std::size_t n = named_.contents->copy(room.data(), room.size());
+        named_.contents->remove_prefix(n);
+        return {room.data(), n};
+    }
     ssize_t n = -1;
     do {
         n = ::read(file_.get(), room.data(), room.size());
@@ -40,7 +48,7 @@ std::string_view FileToRead::next(std::span<char> room) {
 }
 
 void FileToRead::fail(std::string_view why) const {
-    throw InputError(fmt::format("cannot read '{}': {}", path_, why));
+    throw InputError(fmt::format("cannot read '{}': {}", path(), why));
 }
 
 std::string file_contents(const std::string& path) {

@@ -23,9 +23,7 @@ std::string_view foreign(std::string_view line, bool is_first) {
 
 }  // namespace
 
-void require_readable(const std::string& path) { const FileToRead it(path); }
-
-Lines::Lines(const std::string& path) : path_(path), text_(path) {}
+Lines::Lines(const NamedFile& file) : path_(file.path), text_(file) {}
 
 bool Lines::read(std::string& line) {
     ++number_;

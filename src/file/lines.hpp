@@ -23,14 +23,11 @@ struct Head {
     std::string lemmas, scene, section, claim;
 };
 
-/// Throws InputError, saying why not, unless it is a file that can be read.
-void require_readable(const std::string& path);
-
 /// The lines of a certificate file (plain or gzip), split into fields, for the readers of the prover's side.
 /// Every failure is an InputError that names the file and the line.
 class Lines {
   public:
-    explicit Lines(const std::string& path);
+    explicit Lines(const NamedFile& file);
 
     /// The next line's fields; valid until the next call.
     const std::vector<std::string>& next();

@@ -40,11 +40,11 @@ void SealedLines::hand_on() {
     text_.clear();
 }
 
-std::string sealed_digest(const std::string& path) {
+std::string sealed_digest(const NamedFile& file) {
     constexpr std::string_view first_line = "dumbbell-certificate 1\n", seal = "sha256 ";
-    UnpackedText text(path);
+    UnpackedText text(file);
     if (text.next_line() != first_line) {
-        throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", path,
+        throw InputError(fmt::format("'{}' is not a certificate: its first line is not '{}'", file.path,
                                      first_line.substr(0, first_line.size() - 1)));
     }
     Sha256 digest;
@@ -58,7 +58,8 @@ std::string sealed_digest(const std::string& path) {
         return right;
     }
     throw InputError(fmt::format(
-        "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)", path));
+        "'{}' is damaged: its last line is not the checksum of its text (dumbbell verify says more)",
+        file.path));
 }
 
 }  // namespace dumbbell

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "file/atomic_file.hpp"
+#include "file/file_contents.hpp"
 #include "file/sha256.hpp"
 
 namespace dumbbell {
@@ -48,6 +49,6 @@ class SealedLines {
 /// The SHA-256 in the last line of a certificate, if it is the one of the text before it. Throws InputError
 /// if it is not, or if there is none: the file is damaged, incomplete or no certificate. (It proves nothing:
 /// whoever forges a file can compute one.)
-[[nodiscard]] std::string sealed_digest(const std::string& path);
+[[nodiscard]] std::string sealed_digest(const NamedFile& file);
 
 }  // namespace dumbbell

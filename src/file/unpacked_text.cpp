@@ -16,7 +16,7 @@ constexpr int gzip_only = 16 + MAX_WBITS;  // for inflateInit2
 
 }  // namespace
 
-UnpackedText::UnpackedText(const std::string& path) : file_(path), read_(block_size) {
+UnpackedText::UnpackedText(const NamedFile& file) : file_(file), read_(block_size) {
     const std::string_view first = file_.next(read_);
     if (!first.starts_with("\x1f\x8b")) {
         rest_ = first;

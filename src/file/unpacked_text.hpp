@@ -19,7 +19,7 @@ class UnpackedText {
     /// Twice as long as the format allows.
     static constexpr std::size_t longest_line = 8192;
 
-    explicit UnpackedText(const std::string& path);
+    explicit UnpackedText(const NamedFile& file);
 
     /// The next line with its line feed; without one if the line is longer than the longest, or the text ends
     /// in it. Empty at the end of the text. Good until the next call.

@@ -1,10 +1,7 @@
 #include "flight/growth_constant.hpp"
 
-#include <acb.h>
-#include <acb_calc.h>
-#include <arb.h>
-
 #include "base/error.hpp"
+#include "number/flint.hpp"
 
 namespace dumbbell::flight {
 namespace {

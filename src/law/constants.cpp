@@ -1,8 +1,7 @@
 #include "law/constants.hpp"
 
-#include <arb.h>
-
 #include "flight/growth_constant.hpp"
+#include "number/flint.hpp"
 
 namespace dumbbell::law {
 

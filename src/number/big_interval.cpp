@@ -1,10 +1,9 @@
 #include "number/big_interval.hpp"
 
-#include <arb.h>
-
 #include <limits>
 
 #include "base/error.hpp"
+#include "number/flint.hpp"
 
 namespace dumbbell {
 namespace {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <mpfr.h>
-// Only after it FLINT 3 has what turns its numbers into MPFR's.
-#include <arf.h>
-
 #include <limits>
 
 #include "number/elementary.hpp"
+#include "number/flint.hpp"
 
 namespace dumbbell {
 

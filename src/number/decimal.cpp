@@ -117,4 +117,10 @@ std::string exact_text(const Rational& x) {
     return is_short || text.size() <= whole.size() ? text : whole;
 }
 
+std::string spelled(const Rational& x) { return x == 0 ? "0" : x < 0 ? "-" + exact_text(-x) : exact_text(x); }
+
+std::string spelled(const Rational& lo, const Rational& hi) {
+    return spelled(lo) + (lo == hi ? "" : ":" + spelled(hi));
+}
+
 }  // namespace dumbbell

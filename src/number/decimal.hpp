@@ -38,5 +38,9 @@ struct Decimal {
 /// has none, or one of more than 17 digits that is longer than the fraction. So different numbers never look
 /// alike, and parse_rational reads the text as x.
 [[nodiscard]] std::string exact_text(const Rational& x);
+/// The same for any x.
+[[nodiscard]] std::string spelled(const Rational& x);
+/// The same, `LO:HI`, as an option takes it; one number if there is only one.
+[[nodiscard]] std::string spelled(const Rational& lo, const Rational& hi);
 
 }  // namespace dumbbell

@@ -1,7 +1,5 @@
 #include "number/parallel.hpp"
 
-#include <flint/flint.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "number/big_interval.hpp"
+#include "number/flint.hpp"
 #include "number/self_test.hpp"
 #include "number/sound_arithmetic.hpp"
 

@@ -1,6 +1,5 @@
 #include "number/rational.hpp"
 
-#include <flint/fmpz.h>
 #include <fmt/core.h>
 #include <mpfr.h>
 
@@ -12,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "number/flint.hpp"
 #include "number/rounding.hpp"
 
 namespace dumbbell {

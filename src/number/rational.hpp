@@ -87,10 +87,10 @@ template <>
 [[nodiscard]] Integer denominator(const Rational& x);
 [[nodiscard]] Rational abs(Rational x);
 
-inline constexpr std::size_t longest_number = 1000;  ///< characters of one that a user gives
+inline constexpr std::size_t longest_number = 2100;  ///< characters of one that a user gives
 
 /// A decimal, [0-9]+(.[0-9]+)?([eE][+-]?[0-9]+)?, a power 10^[+-]?[0-9]+, or a fraction, INT/INT, exactly.
-/// Throws InputError (naming the text) for anything else, more than 1,000 characters, |exponent| > 1000, or a
+/// Throws InputError (naming the text) for anything else, more than 2,100 characters, |exponent| > 1000, or a
 /// zero denominator.
 [[nodiscard]] Rational parse_rational(std::string_view text, std::size_t max_length = longest_number);
 /// The same, with a minus before it or without.

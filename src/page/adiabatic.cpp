@@ -9,22 +9,21 @@ namespace dumbbell::page {
 namespace {
 
 /// Exactly, as the claim has it.
-std::string exactly(const Rational& x) { return x == 0 ? "0" : x < 0 ? "-" + exact_text(-x) : exact_text(x); }
 
 constexpr int shown_digits = 6;
 
 /// A bound C >= 0 for reading: rounded up, so that it still is one.
 std::string shown_above(const Rational& x) {
-    return x > 0 ? to_text(without_zeros(cut_up(x, shown_digits))) : exactly(x);
+    return x > 0 ? to_text(without_zeros(cut_up(x, shown_digits))) : spelled(x);
 }
 
 /// An attained value B for reading: rounded down, so that it still is attained.
 std::string shown_below(const Rational& x) {
-    return x > 0 ? to_text(without_zeros(cut_down(x, shown_digits))) : exactly(x);
+    return x > 0 ? to_text(without_zeros(cut_down(x, shown_digits))) : spelled(x);
 }
 
 Json range_json(const std::pair<Rational, Rational>& range) {
-    return Json::array({exactly(range.first), exactly(range.second)});
+    return Json::array({spelled(range.first), spelled(range.second)});
 }
 
 /// Leaves of all its trees by word.
@@ -99,7 +98,7 @@ Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budge
                          {"bits", certificate.bits},
                          {"delta", range_json(of.delta)},
                          {"heights", has_heights ? range_json(of.heights) : Json()},
-                         {"margin", exactly(of.margin)},
+                         {"margin", spelled(of.margin)},
                          {"exponent", of.claim == adiabatic::Claim::bounce ? Json(of.exponent) : Json()},
                          {"classes", certificate.classes.size()},
                          {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
@@ -110,7 +109,7 @@ Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budge
 }
 
 std::string claim_options(const adiabatic::Certificate& certificate) {
-    return fmt::format("--claim {}", name(certificate.hypotheses.claim));
+    return adiabatic::claim_options(certificate.hypotheses, certificate.bounds, certificate.attained);
 }
 
 }  // namespace dumbbell::page

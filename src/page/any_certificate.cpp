@@ -10,26 +10,26 @@
 
 namespace dumbbell::page {
 
-AnyCertificate read_any_certificate(const std::string& path) {
+AnyCertificate read_any_certificate(const NamedFile& file) {
     constexpr int head_lines = 5;  // before the line `claim`
-    Lines lines(path);
+    Lines lines(file);
     for (int i = 0; i < head_lines; ++i) {
         lines.next();
     }
     const std::string claim = lines.expect("claim", 2)[1];
     if (claim == "initial-conditions" || claim == "incoming") {
-        return starts::read_certificate(path);
+        return starts::read_certificate(file);
     }
     if (claim.starts_with("adiabatic-")) {
-        return adiabatic::read_certificate(path);
+        return adiabatic::read_certificate(file);
     }
     if (claim == "law") {
         throw InputError(
             fmt::format("'{}' is about the law for every mass ratio (dumbbell law): no page and no picture "
                         "shows that; dumbbell verify checks it",
-                        path));
+                        file.path));
     }
-    return collisions::read_certificate(path);
+    return collisions::read_certificate(file);
 }
 
 }  // namespace dumbbell::page

@@ -13,6 +13,6 @@ using AnyCertificate = std::variant<collisions::Certificate, starts::Certificate
 
 /// Reads a certificate of any claim kind but those of the law. No verification; throws InputError (naming
 /// file and line) if the file is missing or is none of them.
-[[nodiscard]] AnyCertificate read_any_certificate(const std::string& path);
+[[nodiscard]] AnyCertificate read_any_certificate(const NamedFile& file);
 
 }  // namespace dumbbell::page

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "collisions/body/witness.hpp"
+#include "collisions/demand.hpp"
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "collisions/scene.hpp"
@@ -237,22 +240,10 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
 }
 
 std::string claim_options(const Certificate& certificate) {
-    const auto [upper, lower] = bounds_of(certificate);
-    std::string options = option_of(certificate.scene) + "--ratio " + exact_text(certificate.q_lo());
-    if (certificate.q_lo() != certificate.q_hi()) {
-        options += ":" + exact_text(certificate.q_hi());
-    }
-    if (const auto& heights = certificate.heights) {
-        options += " --rho " + exact_text(heights->lo) +
-                   (heights->lo == heights->hi ? "" : ":" + exact_text(heights->hi));
-    }
-    if (upper == lower) {
-        return options + fmt::format(" --exactly {}", lower);
-    }
-    if (upper) {
-        options += fmt::format(" --max {}", *upper);
-    }
-    return options + (lower > 0 ? fmt::format(" --min {}", lower) : "");
+    std::vector<const Piece*> pieces;
+    std::ranges::transform(certificate.pieces, std::back_inserter(pieces),
+                           [](const Piece& piece) { return &piece; });
+    return options_to_check(certificate, pieces);
 }
 
 }  // namespace dumbbell::page

@@ -118,9 +118,11 @@ void require_few_pieces(const std::vector<std::string>& paths) {
 }
 
 ReportedFile read_reported(const std::string& path, bool with_bytes) {
-    require_readable(path);
-    std::string sha256 = sealed_digest(path);
-    return {path, std::move(sha256), read_any_certificate(path), with_bytes ? file_contents(path) : ""};
+    std::string bytes = file_contents(path);
+    const NamedFile file(path, bytes);
+    std::string sha256 = sealed_digest(file);
+    AnyCertificate content = read_any_certificate(file);
+    return {path, std::move(sha256), std::move(content), with_bytes ? std::move(bytes) : ""};
 }
 
 std::size_t leaves_of(const AnyCertificate& content) { return std::visit(LeavesOf(), content); }

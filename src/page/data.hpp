@@ -19,8 +19,8 @@ struct ReportedFile {
     std::string bytes{};  ///< the file as it is, if the page is to verify it
 };
 
-/// Reads a certificate of any claim kind, whose checksum must be right; its bytes if they are wanted. Throws
-/// InputError (naming the file) for anything else.
+/// Reads a certificate of any claim kind once, whose checksum must be right; its bytes if they are wanted.
+/// Throws InputError (naming the file) for anything else.
 [[nodiscard]] ReportedFile read_reported(const std::string& path, bool with_bytes);
 
 /// Pieces of all files together; a page with more would not open.

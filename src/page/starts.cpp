@@ -10,6 +10,8 @@
 #include "page/file.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
+#include "starts/shares.hpp"
+#include "starts/writer.hpp"
 
 namespace dumbbell::page {
 namespace {
@@ -20,10 +22,6 @@ constexpr int window_digits = 5;                 // shown; the file has the wind
 
 constexpr std::array<const char*, starts::axis_count> axis_names{"phi", "phidot", "y", "ydot", "q"};
 constexpr std::array<const char*, 2> incoming_names{"phi_over_pi", "s"};
-
-const char* claim_kind(const starts::Certificate& certificate) {
-    return certificate.incoming ? "incoming" : "initial-conditions";
-}
 
 /// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
 using Kind = std::tuple<bool, bool, long, long, int>;
@@ -156,7 +154,7 @@ Json file_json(const starts::Certificate& certificate, const BoxBudget& budget) 
     const std::size_t leaves = leaves_of(body.tree);
     Json tree = tree_json(body.tree, budget);
     tree.add("axes", axes);
-    return Json::object({{"claim", claim_kind(certificate)},
+    return Json::object({{"claim", starts::claim_kind(certificate.incoming)},
                          {"ratio", to_fraction(certificate.box.upper(starts::Axis::ratio))},
                          {"bits", certificate.bits},
                          {"least", body.least()},
@@ -170,11 +168,11 @@ Json file_json(const starts::Certificate& certificate, const BoxBudget& budget) 
 
 std::string claim_options(const starts::Certificate& certificate) {
     const Body body(certificate.tree);
-    std::string options = fmt::format("--claim {}", claim_kind(certificate));
-    if (body.most()) {
-        options += fmt::format(" --max {}", *body.most());
+    Rational decided = 0;
+    for (const starts::ShareBounds& bounds : starts::share_bounds(certificate.tree)) {
+        decided += bounds.lo;
     }
-    return options + (body.least() > 0 ? fmt::format(" --min {}", body.least()) : "");
+    return starts::claim_options(certificate.incoming, certificate.box, body.least(), body.most(), decided);
 }
 
 }  // namespace dumbbell::page

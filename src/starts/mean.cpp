@@ -1,10 +1,10 @@
 #include "starts/mean.hpp"
 
-#include <acb_elliptic.h>
 #include <fmt/core.h>
 
 #include "base/error.hpp"
 #include "number/decimal.hpp"
+#include "number/flint.hpp"
 
 namespace dumbbell::starts {
 namespace {

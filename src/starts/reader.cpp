@@ -49,8 +49,8 @@ Leaf leaf_from(const Lines& lines, const std::vector<std::string>& fields) {
 
 }  // namespace
 
-Certificate read_certificate(const std::string& path) {
-    Lines lines(path);
+Certificate read_certificate(const NamedFile& file) {
+    Lines lines(file);
     const Head head = lines.expect_head();
     Certificate certificate;
     certificate.generator = head.generator;

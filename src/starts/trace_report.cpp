@@ -10,6 +10,7 @@
 #include "starts/event_text.hpp"
 #include "starts/mean.hpp"
 #include "starts/shares.hpp"
+#include "starts/writer.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::starts {
@@ -273,10 +274,13 @@ std::string to_text(const TraceReport& report) {
     text += meaning_text(report) + verdict(report);
     if (report.out) {
         constexpr int most_unasked = 2048;  // the verifier's --max-bits, unless it is told otherwise
-        const std::string more =
-            report.parts->bits > most_unasked ? fmt::format("--max-bits {} ", report.parts->bits) : "";
-        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{}\n",
-                            one_line(*report.out), *report.sha256, more, shell_file(*report.out));
+        const Subdivision& parts = *report.parts;
+        const std::string more = parts.bits > most_unasked ? fmt::format("--max-bits {} ", parts.bits) : "";
+        text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {}{} {}\n",
+                            one_line(*report.out), *report.sha256, more,
+                            claim_options(report.incoming, report.box, parts.least, parts.most,
+                                          Rational(1) - parts.undecided.share),
+                            shell_file(*report.out));
     }
     return text;
 }

@@ -60,8 +60,6 @@ Rational rounded(const BigInterval& x, int places, const std::optional<BigInterv
     return Rational(floor(value * unit + Rational(1, 2))) / unit;
 }
 
-std::string spelled(const Rational& x) { return x == 0 ? "0" : (x < 0 ? "-" : "") + exact_text(abs(x)); }
-
 Box point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
           const Rational& q) {
     Box box;

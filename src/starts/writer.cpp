@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "file/dyadic.hpp"
+#include "number/decimal.hpp"
 
 namespace dumbbell::starts {
 namespace {
@@ -92,6 +93,23 @@ std::string render(const Certificate& certificate, const PackedTree& tree, const
     return render(
                certificate, [&](const auto& use) { tree.for_each(use); }, SealedLines(sink))
         .sha256;
+}
+
+std::string claim_options(bool incoming, const Box& box, long least, std::optional<long> most,
+                          const Rational& decided) {
+    constexpr int share_digits = 12;
+    std::string text = fmt::format("--claim {}", claim_kind(incoming));
+    for (std::size_t i = incoming ? 4 : 0; i < axis_count; ++i) {
+        text +=
+            fmt::format(" --{} {}", i == 4 ? "ratio" : axis_names.at(i), spelled(box.lo.at(i), box.hi.at(i)));
+    }
+    if (most == least) {
+        return text + fmt::format(" --exactly {}", least);
+    }
+    text += most ? fmt::format(" --max {}", *most) : "";
+    text += least > 0 ? fmt::format(" --min {}", least) : "";
+    return text +
+           (decided > 0 ? " --decided " + to_text(without_zeros(cut_down(decided, share_digits))) : "");
 }
 
 }  // namespace dumbbell::starts

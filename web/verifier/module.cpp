@@ -26,8 +26,8 @@ void progress() {
 }
 
 /// The options that state a claim, and those for what it may cost, as of the program.
-Settings settings_of(std::vector<std::string> words) {
-    Settings settings;
+Request settings_of(std::vector<std::string> words) {
+    Request settings;
     Arguments given(std::move(words));
     while (given.next()) {
         if (claim_option(given, settings)) continue;

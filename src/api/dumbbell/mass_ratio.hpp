@@ -13,7 +13,7 @@ class MassRatio {
   public:
     /// `10`, `4.6`, `1e6` or `9/2`, exactly as written, or a closed range of two of these, `1:100`. Below 1
     /// the masses are swapped, q -> 1/q. Throws InputError for any other text, the number 0, a range that is
-    /// reversed or crosses 1, more than 1,000 characters, and exponents beyond 1000.
+    /// reversed or crosses 1, more than 2,100 characters, and exponents beyond 1000.
     [[gnu::visibility("default")]] explicit MassRatio(std::string_view text);
 
     /// The ends, which are equal for a single ratio: `9/2`, `10/1`, in lowest terms.

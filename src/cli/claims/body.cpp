@@ -1,6 +1,11 @@
 #include "cli/claims/body.hpp"
 
+#include <fmt/core.h>
+
+#include <utility>
+
 #include "base/error.hpp"
+#include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
@@ -35,21 +40,33 @@ CertifyRequest rod_of(const Given& given) {
     return rod(ratio.lo, parse_number("--rod-mass", given.text("--rod-mass")));
 }
 
+/// As it is written: no number of a body changes into its inverse.
+std::pair<Rational, Rational> parse_ends(const char* option, const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const Rational lo = parse_number(option, text.substr(0, colon));
+    const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
+    if (lo == 0 || lo > hi) {
+        throw InputError(
+            fmt::format("{} is a number greater than 0, or a range LO:HI, the smaller one first", option));
+    }
+    return {lo, hi};
+}
+
 CertifyRequest given_numbers(const Given& given) {
     if (!given.has("--rho") || !given.has("--inertia")) {
         throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
     }
-    const RatioArgument rho = parse_ratio_argument(given.text("--rho"));
-    const RatioArgument inertia = parse_ratio_argument(given.text("--inertia"));
-    if (!rho.swapped && rho.hi > 1) {
+    const auto rho = parse_ends("--rho", given.text("--rho"));
+    const auto inertia = parse_ends("--inertia", given.text("--inertia"));
+    if (rho.second > 1) {
         throw InputError("--rho is d2/d1 with d1 >= d2, so at most 1: swap the ends");
     }
-    if (inertia.swapped || inertia.lo < rho.hi) {
+    if (inertia.first * rho.first < 1) {
         throw InputError(
             "no body with its mass between its contacts has these numbers: inertia times rho is "
             "at least 1 (proofs/body.md, L70)");
     }
-    return about(inertia.lo, inertia.hi, {1 / rho.hi, 1 / rho.lo});
+    return about(inertia.first, inertia.second, {rho.first, rho.second});
 }
 
 }  // namespace
@@ -57,6 +74,15 @@ CertifyRequest given_numbers(const Given& given) {
 bool is_about_body(const Given& given) {
     return given.has("--coin") || given.has("--rod-mass") || given.has("--rho") ||
            given.text("--scene") == "body";
+}
+
+std::string rod_words(const Given& given) {
+    if (!given.has("--rod-mass")) {
+        return "";
+    }
+    const Rational mass = parse_number("--rod-mass", given.text("--rod-mass"));
+    return fmt::format("--ratio {} --rod-mass {}", exact_text(parse_ratio_argument(given.text("RATIO")).lo),
+                       denominator(mass) == 1 ? numerator(mass).str() : to_fraction(mass));
 }
 
 CertifyRequest body_request(const Given& given) {

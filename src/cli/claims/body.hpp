@@ -22,6 +22,9 @@ inline constexpr std::array body_options{
 /// Whether an option says that the claim is about a body with mass between its contacts.
 [[nodiscard]] bool is_about_body(const Given& given);
 
+/// `--ratio 10 --rod-mass 1/100`, if the body is a dumbbell with a rod; else empty.
+[[nodiscard]] std::string rod_words(const Given& given);
+
 /// Its ratio Q and its heights. Throws InputError if the options do not say, or say no body whose mass is
 /// between its contacts.
 [[nodiscard]] collisions::CertifyRequest body_request(const Given& given);

@@ -36,6 +36,9 @@ collisions::CertifyRequest request_of(const Given& given, const std::optional<Ra
             collisions::out_of_reach(request.q_lo, request.q_hi, request.scene, request.section)) {
         throw InputError(*reason);
     }
+    if (request.heights && !collisions::fit_a_line(request.heights->lo, request.heights->hi)) {
+        throw InputError("the rho of the body is too long for a line of a certificate: write fewer digits");
+    }
     return request;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
@@ -16,8 +17,10 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "collisions/demand.hpp"
 #include "collisions/part.hpp"
 #include "collisions/proof_report.hpp"
+#include "collisions/reader.hpp"
 #include "collisions/scene.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
@@ -51,7 +54,8 @@ With --out FILE a range keeps its finished pieces in FILE.partial/. If it is sto
 the same command goes on from there, and ends with the same file.
 
 --list FILE answers each line of FILE: a ratio, a range, or the first column of CSV. # begins a comment. A line that is
-wrong does not stop the others: its row says what is wrong with it.
+wrong does not stop the others: its row says what is wrong with it. With --out the same command goes on with the lines
+that have no certificate yet; until all have one, dumbbell-verify refuses the folder's claims.tsv.
 
 No law is used. dumbbell law --ratio RATIO says what the law for every mass ratio says of one, up to 10^1000.)";
 
@@ -148,16 +152,21 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
     return report;
 }
 
-SealedText certificate_text(const CertifyRequest& request, const std::vector<ProvedPiece>& proved) {
+collisions::Certificate frame_of(const CertifyRequest& request) {
+    return {.pieces = {}, .scene = request.scene, .section = request.section, .heights = request.heights};
+}
+
+std::vector<const collisions::Piece*> pieces_of(const std::vector<ProvedPiece>& proved) {
     std::vector<const collisions::Piece*> pieces;
     pieces.reserve(proved.size());
     for (const ProvedPiece& p : proved) {
         pieces.push_back(&p.piece);
     }
-    return render(
-        collisions::Certificate{
-            .pieces = {}, .scene = request.scene, .section = request.section, .heights = request.heights},
-        pieces);
+    return pieces;
+}
+
+SealedText certificate_text(const CertifyRequest& request, const std::vector<ProvedPiece>& proved) {
+    return render(frame_of(request), pieces_of(proved));
 }
 
 bool is_open(const std::vector<ProvedPiece>& pieces) {
@@ -171,13 +180,35 @@ std::string text_of(const collisions::ProofReport& report, bool swapped, bool wi
                        witness ? "\n" : "", to_text(report));
 }
 
+/// What an earlier run has kept of a line of --list, if it is whole, decided, and about this; else nothing.
+std::vector<ProvedPiece> kept_pieces(const CertifyRequest& request, const std::string& file) try {
+    std::vector<ProvedPiece> pieces;
+    if (std::error_code none; file.empty() || !std::filesystem::is_regular_file(file, none)) {
+        return pieces;
+    }
+    collisions::Certificate kept = collisions::read_certificate(file);
+    const bool is_same = !kept.sha256.empty() && kept.scene == request.scene &&
+                         kept.section == request.section && kept.q_lo() == request.q_lo &&
+                         kept.q_hi() == request.q_hi;
+    for (std::size_t i = 0; is_same && i < kept.pieces.size(); ++i) {
+        pieces.emplace_back().piece = std::move(kept.pieces[i]);
+        if (request.describes && row_of(request.scene).has_orbits) {
+            describe_witness(pieces.back());
+        }
+    }
+    return is_open(pieces) ? std::vector<ProvedPiece>() : std::move(pieces);
+} catch (const InputError&) {  // damaged: it is made again
+    return {};
+}
+
 /// What is said of a line of --list.
 ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
     CertifyRequest request = certify_request(given, ratio);
     request.jobs = 1;
     request.describes = given.has("--json");
     const Stopwatch watch;
-    const auto pieces = certify(request);
+    auto pieces = kept_pieces(request, out);
+    pieces = pieces.empty() ? certify(request) : std::move(pieces);
     const double seconds = watch.seconds();
     ListAnswer answer;
     for (const ProvedPiece& p : pieces) {
@@ -186,7 +217,7 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
     answer.is_decided = !is_open(pieces);
     const SealedText certificate = out.empty() ? SealedText{} : certificate_text(request, pieces);
     answer.certificate = certificate.text;
-    answer.claim = answer.is_decided ? option_of(request.scene) + claim_of(answer.rows) : "";
+    answer.claim = answer.is_decided ? whole_demand(frame_of(request), pieces_of(pieces)) : "";
     if (given.has("--json")) {
         collisions::ProofReport report = describe(request, pieces, seconds, given);
         if (!out.empty()) {
@@ -199,13 +230,21 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
 }
 
 int run_certify(const Given& given) {
-    if (given.has("--list")) {
-        (void)certify_request(given, RatioArgument{1, 1});  // what is wrong with an option is no line's fault
-        return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
-            return certify_line(given, ratio, out);
-        });
-    }
     const bool body = is_about_body(given);
+    if (given.has("--list")) {
+        if (body) {
+            throw InputError("--list is for mass ratios, not for a body");
+        }
+        // What is wrong with an option is no line's fault.
+        const CertifyRequest request = certify_request(given, RatioArgument{1, 1});
+        return answer_list(
+            given,
+            [&](const RatioArgument& ratio, const std::string& out) {
+                return certify_line(given, ratio, out);
+            },
+            fmt::format("dumbbell {} certify --list --scene {} --section {} --gap {}", DUMBBELL_VERSION,
+                        name(request.scene), name(request.section), to_fraction(request.gap)));
+    }
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
     }
@@ -242,6 +281,7 @@ int run_certify(const Given& given) {
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
     report.part = part;
+    report.rod = rod_words(given);
     if (output.is_wanted()) {
         write(certificate_text(request, pieces), output, report);
     }

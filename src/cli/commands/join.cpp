@@ -26,14 +26,13 @@ constexpr const char* join_description =
 
 The parts are certificates of dumbbell certify, in any order, or tables of dumbbell critical. Nothing is believed:
 dumbbell-verify verifies each certificate, and each enclosure of a table is checked by the signs at its ends. The parts
-must make the whole range, with no hole and no overlap. Pieces that the parts cut in two stay two. What is wrong,
+must make the whole --range, with no hole and no overlap. Pieces that the parts cut in two stay two. What is wrong,
 missing or open is named, with the command that makes it again.
 
 Examples:
   for k in 1 2 3 4; do dumbbell certify 1:1e4 --part $k/4 --out part-$k.dbc; done
-  dumbbell join part-*.dbc --out stairs.dbc
-  dumbbell join part-*.dbc --range 1:1e4 --gap 1e-6 --out stairs.dbc    notices a missing first or last part, too
-  dumbbell join part-*.tsv --out ratios.tsv                             tables of critical ratios)";
+  dumbbell join part-*.dbc --range 1:1e4 --out stairs.dbc
+  dumbbell join part-*.tsv --range 3:902 --out ratios.tsv    tables of critical ratios)";
 
 constexpr const char* join_footer =
     R"(The fields of --json: docs/reference/json.md.
@@ -46,9 +45,10 @@ constexpr std::array join_options{
     Option{"--out", "FILE", "write the whole to FILE (FILE.gz: compressed); -: the standard output"}
         .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
         .required(),
-    Option{"--range", "LO:HI",
-           "what the parts must make together: mass ratios, or N1:N2 of tables; default: what they reach"},
-    Option{"--gap", "REL", "the --gap of the parts, for the commands that make certificates again"},
+    Option{"--range", "LO:HI", "what the parts must make together: mass ratios, or N1:N2 of tables"}
+        .required(),
+    Option{"--gap", "REL",
+           "the --gap of the parts, for the commands that make certificates again; default: their widest"},
     flag("--open", "write FILE even if something in it is open"),
     jobs_option.saying("threads that verify"),
     json_option,
@@ -56,6 +56,11 @@ constexpr std::array join_options{
 
 std::unique_ptr<Parts> parts_of(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
+    if (std::ranges::find(names, "-") != names.end()) {
+        throw InputError(
+            "join reads its parts again and again, so none can be -, the standard input; a file of "
+            "that name is ./-");
+    }
     const auto table = std::ranges::find_if(names, critical::is_table);
     const auto other = std::ranges::find_if_not(names, critical::is_table);
     if (table != names.end() && other != names.end()) {
@@ -65,9 +70,8 @@ std::unique_ptr<Parts> parts_of(const Given& given) {
     if (given.has("--gap")) {
         (void)parse_gap(given.text("--gap"));
     }
-    return table != names.end()
-               ? table_parts(names.size())
-               : certificate_parts(names.size(), given.has("--gap") ? given.text("--gap") : "REL");
+    return table != names.end() ? table_parts(names.size())
+                                : certificate_parts(names.size(), given.text("--gap"));
 }
 
 /// All files, or, if the program is asked to stop, some.
@@ -116,10 +120,7 @@ int run_join(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
     const auto parts = parts_of(given);
     require_name_of(given.text("--out"), parts->content());
-    std::optional<Range> whole;
-    if (given.has("--range")) {
-        whole = parts->parse_range(given.text("--range"));
-    }
+    const Range whole = parts->parse_range(given.text("--range"));
     const Output output(given.text("--out"), names, given.has("--json") ? "--json" : nullptr);
     auto files = taken(*parts, names, jobs_of(given), verbosity_of(given));
     if (stop_signal != 0) {
@@ -145,18 +146,17 @@ int run_join(const Given& given) {
     }
     const SealedText text = parts->join(files);
     output.commit(text.text);
-    const Range all{files.front().range->begin, files.back().range->end};
     fmt::print(output.report(), "{}",
                given.has("--json")
                    ? json_text(Json::object({{"schema", "dumbbell-join-1"},
-                                             {"first", parts->first(all)},
-                                             {"last", parts->last(all)},
+                                             {"first", parts->first(whole)},
+                                             {"last", parts->last(whole)},
                                              {"parts", to_json(*parts, files)},
                                              {"open", open},
                                              {"out", output.file()},
                                              {"sha256", text.sha256}}))
                    : fmt::format("{} verified, together {}: sha256 {}\n", plural(files.size(), "part"),
-                                 parts->words(all), text.sha256));
+                                 parts->words(whole), text.sha256));
     return open > 0 ? exit_not_certified : exit_done;
 }
 

@@ -5,7 +5,6 @@
 #include "base/error.hpp"
 #include "cli/commands/join_parts.hpp"
 #include "collisions/names.hpp"
-#include "collisions/scene.hpp"
 #include "collisions/verified.hpp"
 #include "collisions/writer.hpp"
 #include "file/verifier_program.hpp"
@@ -23,7 +22,7 @@ class CertificateParts : public Parts {
     CertificateParts(std::size_t files, const std::string& gap)
         : Parts(Content::certificate, "the mass ratios", "dumbbell certify"),
           certificates_(files),
-          gap_("--gap " + gap) {}
+          gap_(gap) {}
 
     [[nodiscard]] PartFile take(std::size_t i, const std::string& name, int jobs) override {
         PartFile file{name, i};
@@ -68,10 +67,24 @@ class CertificateParts : public Parts {
     [[nodiscard]] std::string last(const Range& range) const override { return exact_text(range.end); }
 
   private:
-    [[nodiscard]] std::string options(collisions::Scene scene, collisions::Section section) const {
-        const bool usual = section == collisions::Section();
-        return fmt::format(" {}{}{}", option_of(scene),
-                           usual ? "" : fmt::format("--section {} ", name(section)), gap_);
+    [[nodiscard]] static std::string options(collisions::Scene scene, collisions::Section section) {
+        return (scene == collisions::Scene() ? "" : fmt::format(" --scene {}", name(scene))) +
+               (section == collisions::Section() ? "" : fmt::format(" --section {}", name(section)));
+    }
+    [[nodiscard]] std::string gap_option() const override {
+        std::string gap = gap_;
+        Rational widest = 0;
+        for (const Certificate& certificate : certificates_) {
+            for (const Piece& piece : certificate.pieces) {
+                if (piece.status() == collisions::Status::gap) {
+                    widest = std::max(widest, Rational((piece.q_hi - piece.q_lo) / piece.q_lo));
+                }
+            }
+        }
+        if (gap.empty() && widest > 0 && widest <= Rational(1, 100)) {
+            gap = to_text(cut_up(widest, 1));
+        }
+        return gap.empty() ? "" : " --gap " + gap;
     }
 
     std::vector<Certificate> certificates_;

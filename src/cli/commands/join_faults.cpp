@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "base/error.hpp"
 #include "base/printable.hpp"
 
@@ -28,16 +30,21 @@ std::string common_options(const Parts& parts, const std::vector<PartFile>& file
 }  // namespace
 
 std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFile>& files,
-                                   const std::optional<Range>& whole) {
+                                   const Range& whole) {
     std::vector<std::string> faults;
     const std::string options = common_options(parts, files);
+    int missing = 0;
     const auto reach = [&](const Rational& from, const Rational& to) {
         if (from < to) {
-            faults.push_back(fmt::format("missing: {}; to make them: {} --out FILE", parts.words({from, to}),
-                                         parts.command({from, to}, options)));
+            std::string name;
+            do {
+                name = parts.file_name(fmt::format("missing-{}", ++missing));
+            } while (std::filesystem::exists(name));
+            faults.push_back(fmt::format("missing: {}; to make them: {} --out {}", parts.words({from, to}),
+                                         parts.command({from, to}, options), name));
         }
     };
-    std::optional<Rational> reached = whole ? std::optional(whole->begin) : std::nullopt;
+    Rational reached = whole.begin;
     const PartFile* furthest = nullptr;
     for (const PartFile& file : files) {
         if (!file.fault.empty()) {
@@ -47,31 +54,29 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
             continue;
         }
         const auto& [begin, end] = *file.range;
-        reach(reached.value_or(begin), begin);
-        if (furthest != nullptr && begin < *reached) {
+        reach(reached, begin);
+        if (furthest != nullptr && begin < reached) {
             faults.push_back(
                 fmt::format("'{}' and '{}' overlap: leave one of them out", furthest->name, file.name));
         }
-        if (whole && (begin < whole->begin || end > whole->end)) {
+        if (begin < whole.begin || end > whole.end) {
             faults.push_back(
                 fmt::format("'{}' ({}) reaches beyond --range", file.name, parts.words(*file.range)));
         }
-        if (!reached || end >= *reached) {
+        if (end >= reached) {
             reached = end;
             furthest = &file;
         }
     }
-    if (whole) {
-        reach(*reached, whole->end);
-    }
+    reach(reached, whole.end);
     return faults;
 }
 
 std::string with_command(const Parts& parts, const PartFile& file, const std::string& line) {
-    return !file.range
-               ? line
-               : fmt::format("{}; to make it again: {} --out {}", line,
-                             parts.command(*file.range, file.options.value_or("")), shell_file(file.name));
+    return !file.range ? line
+                       : fmt::format("{}; to make it again: {} --out {}", line,
+                                     parts.command(*file.range, file.options.value_or("")),
+                                     shell_file(parts.file_name(file.name)));
 }
 
 }  // namespace dumbbell::cli

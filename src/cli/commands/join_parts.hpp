@@ -56,15 +56,24 @@ class Parts {
     }
     /// That makes such a part, but for where it writes.
     [[nodiscard]] std::string command(const Range& range, const std::string& options) const {
-        return command_ + " " + first(range) + ":" + last(range) + options;
+        return command_ + " " + first(range) + ":" + last(range) + options + gap_option();
+    }
+    /// The name with an ending that the command takes.
+    [[nodiscard]] std::string file_name(const std::string& name) const {
+        return name + (fault_of_name(name, content_).empty() ? ""
+                       : content_ == Content::table          ? ".tsv"
+                                                             : ".dbc");
     }
 
   private:
+    /// ` --gap 1e-6`, of all parts that were taken; empty: they tell none.
+    [[nodiscard]] virtual std::string gap_option() const { return ""; }
+
     Content content_;
     std::string what_, command_;
 };
 
-/// Of so many certificates; `gap` is for the commands.
+/// Of so many certificates; `gap` is for the commands, by default the widest of them all.
 [[nodiscard]] std::unique_ptr<Parts> certificate_parts(std::size_t files, const std::string& gap);
 /// Of so many tables of critical ratios.
 [[nodiscard]] std::unique_ptr<Parts> table_parts(std::size_t files);

@@ -40,24 +40,23 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
     if (request.heights && obstacle != Obstacle::time) {
         return ": an orbit may have been missed, or more boxes are needed than are tried, as next to a tie";
     }
-    if (request.section == collisions::Section::plain &&
+    if (request.section == collisions::Section::plain && !request.heights &&
         (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);
     }
     const char* wider = is_range(request) ? ", or a wider --gap" : "";
+    const int most_bits = piece_options(request.scene, request.section).max_bits;
     switch (obstacle) {
         case Obstacle::maximum:
-            return fmt::format(": {} bits do not tell it from a critical ratio",
-                               collisions::PieceOptions{}.max_bits);
+            return fmt::format(": {} bits do not tell it from a critical ratio", most_bits);
         case Obstacle::witness:
             return fmt::format(
                 ": found no orbit with so many collisions that fits a certificate ({} binary places) and "
                 "that "
                 "{} bits can follow{}",
-                most_binary_places, collisions::PieceOptions{}.max_bits,
-                is_range(request) ? ": try a wider --gap" : "");
+                most_binary_places, most_bits, is_range(request) ? ": try a wider --gap" : "");
         case Obstacle::boxes:
-            return fmt::format(": too many boxes, even with {} bits{}", collisions::PieceOptions{}.max_bits,
+            return fmt::format(": too many boxes, even with {} bits{}", most_bits,
                                is_range(request) ? ": try a wider --gap" : "");
         default:
             return fmt::format(": allow more time (--budget){}", wider);
@@ -82,8 +81,8 @@ std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>
 
 std::string kept_when_stopped(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                               const std::optional<KeptPieces>& kept) {
-    if (!is_range(request)) {
-        return "nothing is kept of a single ratio";
+    if (!is_range(request) || request.heights) {
+        return request.heights ? "nothing is kept of a body" : "nothing is kept of a single ratio";
     }
     const auto now = finished(pieces);
     if (now == 0 && (!kept || kept->number == 0)) {

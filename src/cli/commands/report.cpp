@@ -45,7 +45,7 @@ constexpr std::array report_options{
     Option{"--max-boxes", "N",
            "boxes that the page draws; where there are more, one stands for several, and is marked", "200000"}
         .from(1, 2'000'000),
-    flag("--no-verifier", "make a page that does not verify, and is smaller")};
+    flag("--no-verifier", "make a page without the verifier, which is smaller")};
 
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
@@ -66,7 +66,8 @@ int run_report(const Given& given) {
     progress.enter("making the page", "");
     out.commit(page::html_page(page_data(files, most_boxes), verifier ? file_contents(*verifier) : ""));
     if (!verifier && !given.has("--no-verifier")) {
-        progress.note("the page does not verify: ./run web makes the verifier that it would contain");
+        progress.note(
+            "Written. The page shows the proof; it does not contain the verifier (./run web adds it)");
     }
     if (boxes > most_boxes) {
         progress.note(

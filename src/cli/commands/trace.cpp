@@ -119,10 +119,9 @@ int bits_of_angle(const Given& given, int digits) {
 
 /// What a verifier takes for too long is not worth any work.
 void require_short_lines(const starts::Box& box) {
-    constexpr std::size_t most = 4000;  // of the 4096 bytes of a line
     constexpr std::array names{"--phi", "--phidot", "--y", "--ydot", "RATIO"};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (to_fraction(box.lo[i]).size() + to_fraction(box.hi[i]).size() > most) {
+        if (!collisions::fit_a_line(box.lo[i], box.hi[i])) {
             throw InputError(fmt::format(
                 "{}: too long for a line of a certificate (--out): write a number of fewer digits",
                 names[i]));

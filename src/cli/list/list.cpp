@@ -31,13 +31,13 @@ constexpr const char* heading =
 
 struct Line {
     long number;
-    std::string given;  ///< its first column
+    std::string given;    ///< its first column; if that is not clear, all of it
+    std::string fault{};  ///< empty: none
 };
 
 struct Answered {
     Line line;
     ListAnswer answer;
-    std::string fault;  ///< empty: none
 };
 
 std::string_view trimmed(std::string_view text, std::string_view blanks) {
@@ -46,11 +46,61 @@ std::string_view trimmed(std::string_view text, std::string_view blanks) {
                                            : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-/// What is there but for a comment.
-std::string_view content(std::string_view line) { return trimmed(line.substr(0, line.find('#')), " "); }
+/// A line of CSV as RFC 4180 has it: in quotes nothing separates, and no comment begins.
+struct Columns {
+    explicit Columns(std::string_view line);
 
-std::string first_column(std::string_view content) {
-    return std::string(trimmed(content.substr(0, content.find_first_of(",;\t")), " \""));
+    std::string_view all;          ///< but for a comment
+    std::string_view first;        ///< with its quotes
+    std::string separators;        ///< in their order
+    bool has_open_quotes = false;  ///< they would go on in the next line
+};
+
+Columns::Columns(std::string_view line) : first(line) {
+    bool is_begin = true;  // of a column
+    std::size_t i = 0;
+    for (; i < line.size() && (has_open_quotes || line[i] != '#'); ++i) {
+        const bool separates = !has_open_quotes && std::string_view(",;\t").find(line[i]) < 3;
+        if (separates) {
+            first = separators.empty() ? line.substr(0, i) : first;
+            separators += line[i];
+        }
+        // Two quotes in quotes are one of the text: they end, and begin again.
+        if (line[i] == '"' && (has_open_quotes || is_begin || line[i - 1] == '"')) {
+            has_open_quotes = !has_open_quotes;
+        }
+        is_begin = separates || (is_begin && line[i] == ' ');
+    }
+    all = trimmed(line.substr(0, i), " ");
+    first = trimmed(first.substr(0, i), " ");
+}
+
+/// Without the quotes around it. Of quotes elsewhere no number is made.
+std::string unquoted(std::string_view column) {
+    const bool is_quoted = column.size() > 1 && column[0] == '"' && column.find('"', 1) == column.size() - 1;
+    return std::string(is_quoted ? trimmed(column.substr(1, column.size() - 2), " ") : column);
+}
+
+/// Why the first column of a line is not clear; empty: it is. What other countries and spreadsheets write,
+/// 4,6 or 1,000, is no column 4 or 1: between digits a comma separates only where the heading has as many.
+std::string unclear(const Columns& columns, const std::string& of_heading) {
+    if (columns.has_open_quotes) {
+        return "a column in quotes does not end in its line";
+    }
+    if (!columns.separators.starts_with(',') || columns.first.starts_with('"')) {
+        return "";
+    }
+    if (columns.separators.find_first_of(";\t") != std::string::npos) {
+        return "a comma before ; or a tab: write a number with a point, 4.6, and without separators, 1000";
+    }
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::size_t comma = columns.all.find(',');
+    const bool is_between_digits = comma > 0 && comma + 1 < columns.all.size() &&
+                                   is_digit(columns.all[comma - 1]) && is_digit(columns.all[comma + 1]);
+    return is_between_digits && columns.separators != of_heading
+               ? "one number or two columns? Write a number as 4.6 or 1000, or put the column in double "
+                 "quotes"
+               : "";
 }
 
 /// The first digits, not rounded.
@@ -64,8 +114,8 @@ std::string field(const std::string& text) { return respelled(one_line(text), {{
 
 std::string table_rows(const Answered& done) {
     const std::string begin = fmt::format("{}\t{}\t", done.line.number, field(done.line.given));
-    if (!done.fault.empty()) {
-        return fmt::format("{}\t\t\t\t\t\t{}\n", begin, field(done.fault));
+    if (!done.line.fault.empty()) {
+        return fmt::format("{}\t\t\t\t\t\t{}\n", begin, field(done.line.fault));
     }
     std::string text;
     for (const ListRow& row : done.answer.rows) {
@@ -77,11 +127,11 @@ std::string table_rows(const Answered& done) {
 }
 
 std::string json_line(const Answered& done) {
-    Json json = done.fault.empty() ? done.answer.json : Json::object({{"schema", "dumbbell-list-1"}});
+    Json json = done.line.fault.empty() ? done.answer.json : Json::object({{"schema", "dumbbell-list-1"}});
     json.add("line", done.line.number);
     json.add("given", done.line.given);
-    if (!done.fault.empty()) {
-        json.add("error", done.fault);
+    if (!done.line.fault.empty()) {
+        json.add("error", done.line.fault);
     }
     return json.text() + '\n';
 }
@@ -102,11 +152,11 @@ struct Tally {
 
 class ListRun {
   public:
-    ListRun(const Given& given, const AnswerLine& answer)
+    ListRun(const Given& given, const AnswerLine& answer, const std::string& claims_of)
         : given_(given),
           answer_(answer),
           lines_(given.text("--list")),
-          folder_(given.text("--out")),
+          folder_(given.text("--out"), claims_of),
           progress_("lines", ::isatty(STDOUT_FILENO) == 1 ? Verbosity::quiet : Verbosity::normal,
                     "answering") {}
 
@@ -123,7 +173,8 @@ class ListRun {
     IncomingLines lines_;
     CertificateFolder folder_;
     Progress progress_;
-    bool begun_ = false;  ///< a line with content has come
+    bool begun_ = false;   ///< a line with content has come
+    std::string heading_;  ///< its separators, if that was one
     std::atomic<bool> cut_ = false;
     long printed_ = 0, last_ = 0;  ///< lines, and the number of the last
     Tally bad_{}, undecided_{};
@@ -131,26 +182,31 @@ class ListRun {
 
 std::optional<Line> ListRun::next_line(const Interrupted& in_vain) {
     while (const auto line = lines_.next([&] { return stop_signal != 0 || in_vain(); })) {
-        const std::string_view text = content(*line);
-        if (text.empty()) {
+        const Columns columns(*line);
+        if (columns.all.empty()) {
             continue;
         }
-        std::string column = first_column(text);
-        const bool is_heading = !begun_ && column.find_first_of("0123456789") == std::string::npos;
+        std::string fault = unclear(columns, heading_);
+        std::string column = fault.empty() ? unquoted(columns.first) : std::string(columns.all);
+        const bool is_heading = !begun_ && fault.empty() && !column.empty() &&
+                                column.find_first_of("0123456789") == std::string::npos;
         begun_ = true;
         if (!is_heading) {
-            return Line{lines_.number(), std::move(column)};
+            return Line{lines_.number(), std::move(column), std::move(fault)};
         }
+        heading_ = columns.separators;
     }
     return std::nullopt;
 }
 
 Answered ListRun::answered(Line line) const {
-    Answered done{std::move(line), {}, {}};
+    Answered done{std::move(line), {}};
     try {
-        done.answer = answer_(parse_ratio_argument(done.line.given), folder_.file(done.line.number));
+        if (done.line.fault.empty()) {
+            done.answer = answer_(parse_ratio_argument(done.line.given), folder_.file(done.line.number));
+        }
     } catch (const InputError& error) {
-        done.fault = error.what();
+        done.line.fault = error.what();
     }
     return done;
 }
@@ -161,8 +217,8 @@ bool ListRun::hand_on(const Answered& done) {
         return false;
     }
     const std::string line = fmt::format("line {}", done.line.number);
-    if (!done.fault.empty()) {
-        bad_.add(fmt::format("{}: {}", line, done.fault));
+    if (!done.line.fault.empty()) {
+        bad_.add(fmt::format("{}: {}", line, done.line.fault));
         if (given_.has("--strict")) {
             throw InputError(fmt::format("'{}', {}", lines_.path(), bad_.first));
         }
@@ -193,6 +249,7 @@ Work ListRun::next(const Interrupted& in_vain) {
 
 int ListRun::run() {
     in_order(jobs_of(given_), [this](const Interrupted& in_vain) { return next(in_vain); });
+    folder_.finish(!cut_ && printed_ > 0 && bad_.number == 0 && undecided_.number == 0);
     if (cut_) {
         return stopped(printed_ == 0 ? "nothing is printed"
                                      : fmt::format("what is printed is about the lines up to {}", last_));
@@ -214,13 +271,8 @@ int ListRun::run() {
 
 }  // namespace
 
-int answer_list(const Given& given, const AnswerLine& answer) { return ListRun(given, answer).run(); }
-
-std::string claim_of(const std::vector<ListRow>& rows) {
-    const auto least = std::ranges::min(rows, {}, &ListRow::lower).lower;
-    const auto most = std::ranges::max(rows, {}, &ListRow::upper).upper;
-    return fmt::format("--ratio {}:{} --min {} --max {}", to_fraction(rows.front().q_lo),
-                       to_fraction(rows.back().q_hi), least.str(), most->str());
+int answer_list(const Given& given, const AnswerLine& answer, const std::string& claims_of) {
+    return ListRun(given, answer, claims_of).run();
 }
 
 void require_certificate_name(const Given& given) {

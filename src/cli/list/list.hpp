@@ -53,11 +53,9 @@ using AnswerLine = std::function<ListAnswer(const RatioArgument& ratio, const st
 /// Answers the lines of --list on --jobs threads, and prints what is said in their order, as it comes.
 /// Returns the exit code: that of a bad line if there is one, else that of one that is not decided. Throws
 /// InputError if the list cannot be read or has no ratio, and with --strict for the first bad line.
-[[nodiscard]] int answer_list(const Given& given, const AnswerLine& answer);
-
-/// What these rows say together, as options of the verifier: `--ratio 2/1:3/1 --min 3 --max 4`.
-/// Precondition: each has an upper bound, and begins where the one before it ends.
-[[nodiscard]] std::string claim_of(const std::vector<ListRow>& rows);
+/// `claims_of`: as CertificateFolder has it.
+[[nodiscard]] int answer_list(const Given& given, const AnswerLine& answer,
+                              const std::string& claims_of = "");
 
 /// Throws InputError if --out, where one certificate is written, is no name for one.
 void require_certificate_name(const Given& given);

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <mpfr.h>
-// After it, as in number/big_interval.hpp.
-#include <arb_poly.h>
-
 #include "number/big_interval.hpp"
 #include "number/count.hpp"
+#include "number/flint.hpp"
 
 /// Arb's balls and polynomials, as values. Every operation works at the precision of the thread's
 /// PrecisionScope.

@@ -110,9 +110,9 @@ class OrbitCheck : Check<N> {
         const auto from = this->earliest(lowest, z);
         if (!guess_root(highest.c, highest.kappa, z)) return std::nullopt;
         const auto until = this->latest(highest, z);
-        if (!until || !(zero < from.x && from.x <= until->x && until->cosine <= from.cosine))
-            return std::nullopt;
-        return Touch<N>(m_, I(from.x, until->x), I(from.sine, until->sine), I(until->cosine, from.cosine));
+        if (!until || !(zero < from.x)) return std::nullopt;
+        return Touch<N>(m_, span(from.x, until->x), span(from.sine, until->sine),
+                        span(until->cosine, from.cosine));
     }
 
     /// |phidot_+ / phidot_-| of a collision with D > 0 or D < 0.

@@ -28,6 +28,7 @@ class BounceCheck : Check<N> {
 
     bool is_outside() {
         if (Base::beyond("u beyond pi/2", whole_u_)) return true;
+        if (!Base::reaches(u_)) return false;
         const Touch<N> at = touch();
         const I y = m_.beta2 * at.sine;
         return Base::less("y below the heights", y, number(claim_.y_lo)) ||
@@ -36,7 +37,7 @@ class BounceCheck : Check<N> {
     }
 
     bool is_bounded() {
-        if (!fact("the leaf reaches below pi/2 and above the margin", u_.lo <= u_.hi)) return false;
+        if (!Base::reaches(u_)) return false;
         const Touch<N> at = touch();
         const I kappa = incoming();
         // Of the states with D > 0; the others have no next collision (L1).
@@ -63,7 +64,7 @@ class BounceCheck : Check<N> {
         N until = quarter.hi;
         if (highest.kappa < one && guess_root(highest.c, highest.kappa, z))
             if (const auto last = this->latest(highest, z)) until = last->x;
-        return {std::min(from, until), until};
+        return span(from, until);
     }
 
     const I whole_u_, u_, climb_;  ///< climb: -ydot

@@ -17,7 +17,7 @@ Interval<N> slope_behind(const Masses<N>& m, const Interval<N>& w, const Interva
     const auto at = [](const I& cosine, const I& k, const I& r) {
         return (k * square(cosine) + I(2) * r * cosine - r * k) / (square(cosine) - I(2) * k * cosine - r);
     };
-    return {at(w.hi, kappa.lo, m.r.lo).lo, at(w.lo, kappa.hi, m.r.hi).hi};
+    return span(at(w.hi, kappa.lo, m.r.lo).lo, at(w.lo, kappa.hi, m.r.hi).hi);
 }
 
 /// The height at the far corner after such a collision. It grows with kappa and r, as the slope k' does, and
@@ -26,7 +26,7 @@ template <class N>
 Interval<N> corner_behind(const Touch<N>& at, const Interval<N>& slope) {
     using I = Interval<N>;
     const auto height = [](const N& sine, const N& k, const N& x) { return sine + I(k) * (x + pi<N>()); };
-    return {height(at.sine.lo, slope.lo, at.x.lo).lo, height(at.sine.hi, slope.hi, at.x.hi).hi};
+    return span(height(at.sine.lo, slope.lo, at.x.lo).lo, height(at.sine.hi, slope.hi, at.x.hi).hi);
 }
 
 /// E1 for kappa <= 0.
@@ -48,10 +48,7 @@ Interval<N> error_of_height(const Masses<N>& m, const Touch<N>& at, const Interv
     // x' - x, and again by the mean value theorem for sin x' - sin x = slope (pi + x + x').
     I shift = next - at.x;
     const I cosine = sin_cos_on(hull(at.x, next), quarter).cos;
-    if (cosine.lo > N(0)) {
-        const I mean = slope * way / cosine, both(std::max(shift.lo, mean.lo), std::min(shift.hi, mean.hi));
-        if (both.lo <= both.hi) shift = both;
-    }
+    if (cosine.lo > N(0)) shift = meet(shift, slope * way / cosine);
     return -(climb * (shift + I(2) * at.asin_Z)) +
            I(2) * m.beta2 * at.w * (m.r + square(kappa)) * way / onward(m, at.w, kappa);
 }

@@ -27,6 +27,7 @@ class BouncesCheck : Check<N> {
   private:
     bool is_outside() {
         if (Base::beyond("u beyond pi/2", whole_u_) || Base::beyond("v beyond pi/2", whole_v_)) return true;
+        if (!Base::reaches(u_)) return false;
         if (claim_.kind == Claim::scattering)
             return fact("collision 0 is not the first", has_collision_before());
         const I y = m_.beta2 * sin_cos_on(u_, quarter).cos;
@@ -43,8 +44,7 @@ class BouncesCheck : Check<N> {
     }
 
     bool is_bounded() {
-        if (!fact("the leaf reaches below pi/2 and above the margin", u_.lo <= u_.hi && v_.lo <= v_.hi))
-            return false;
+        if (!(Base::reaches(u_) && Base::reaches(v_))) return false;
         const Class& chosen = leaf_.terms->classes.at(leaf_.index);
         const Touch<N> first = Touch<N>::at(m_, u_, quarter), last = Touch<N>::at(m_, v_, quarter);
         const I kappa_0 = -(m_.delta * s_ / m_.beta2), energy = root(I(1) + square(s_) / m_.beta2);

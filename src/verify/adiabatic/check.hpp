@@ -35,6 +35,9 @@ class Check : protected starts::Departures<N> {
 
     /// Distances from the vertical of the leaf that belong to the claim: at least the margin, at most pi/2.
     [[nodiscard]] I cut(const I& u) const { return {std::max(u.lo, margin_.lo), std::min(u.hi, quarter.hi)}; }
+    bool reaches(const I& cut) {
+        return fact("the leaf reaches below pi/2 and above the margin", cut.lo <= cut.hi);
+    }
     /// Certified: none does.
     bool beyond(const char* what, const I& u) {
         return less(what, quarter, I(u.lo)) || less("u below the margin", I(u.hi), I(margin_.lo));

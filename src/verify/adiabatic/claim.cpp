@@ -77,7 +77,7 @@ std::vector<Claim::Summary> Claim::summaries() const {
 }
 
 std::string Claim::text() const {
-    std::string result = "claim=" + std::string(names.at(kind)) + " delta=" + to_string(delta_lo, delta_hi);
+    std::string result = "claim=" + std::string(kind_name()) + " delta=" + to_string(delta_lo, delta_hi);
     if (has_heights()) result += " heights=" + to_string(y_lo, y_hi);
     result += " margin=" + to_string(margin);
     if (kind == bounce) result += " exponent=" + std::to_string(exponent) + "/16";
@@ -132,7 +132,7 @@ std::string Claim::json() const {
     for (const mpq_class& bound : bounds) constants.push_back(quoted(to_string(bound)));
     const auto all = summaries();
     for (std::size_t i = 0; i < attained.size(); ++i) states.push_back(state_json(attained[i], all[i].ratio));
-    return "{\"kind\":\"" + std::string(names.at(kind)) + "\",\"delta\":" + pair(delta_lo, delta_hi) +
+    return "{\"kind\":\"" + std::string(kind_name()) + "\",\"delta\":" + pair(delta_lo, delta_hi) +
            ",\"heights\":" + (has_heights() ? pair(y_lo, y_hi) : "null") + ",\"margin\":\"" +
            to_string(margin) + "\",\"exponent\":" + (kind == bounce ? std::to_string(exponent) : "null") +
            ",\"bounds\":" + list(constants) + ",\"attained\":" + list(states) + "}";

@@ -28,6 +28,7 @@ struct Claim {
     std::vector<mpq_class> bounds;   ///< C, or C1 and C2
     std::vector<Attained> attained;  ///< one, or one for each of C1 and C2
 
+    [[nodiscard]] std::string_view kind_name() const { return names.at(kind); }
     [[nodiscard]] bool has_heights() const { return kind == bounce || kind == run; }
     [[nodiscard]] bool has_classes() const { return kind != bounce; }
 

@@ -43,6 +43,7 @@ class ClassCheck : Check<N> {
 
     bool is_outside() {
         if (Base::beyond("u beyond pi/2", whole_u_)) return true;
+        if (!Base::reaches(u_)) return false;
         const auto [w, sine] = sin_cos_on(u_, quarter);
         const I x = quarter - u_;
         if (Base::less("no lower contact", sine, k_ * (Base::half_turn + x))) return true;
@@ -55,7 +56,7 @@ class ClassCheck : Check<N> {
     }
 
     bool is_bounded() {
-        if (!fact("the leaf reaches below pi/2 and above the margin", u_.lo <= u_.hi)) return false;
+        if (!Base::reaches(u_)) return false;
         N below = zero, above = zero;  // guesses of the roots, from part to part
         N from = lowest(0, below);
         I drift = 0, potential = 0;
@@ -102,7 +103,7 @@ class ClassCheck : Check<N> {
     }
     /// The contact at X in [from, until]; no flight of the box has one beyond both.
     [[nodiscard]] Touch<N> touch(const N& from, const N& until) const {
-        const I x(std::min(from, until), until);
+        const I x = span(from, until);
         const auto [sine, cosine] = sin_cos_on(x, quarter);
         return {m_, x, sine, cosine};
     }

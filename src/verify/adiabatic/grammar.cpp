@@ -20,7 +20,8 @@ constexpr Axes class_axes{"u", "", "", "delta", "sigma"}, bounce_axes{"u", "s", 
 
 class ClaimReader : public Reader<Leaf> {
   public:
-    ClaimReader(Text& text, const Settings& settings, Claim::Kind kind) : Reader(text, settings) {
+    ClaimReader(Text& text, const Settings& settings, const starts::Numbers& numbers, Claim::Kind kind)
+        : Reader(text, settings), numbers_(numbers) {
         claim_.kind = kind;
         leaf_.terms = &terms_;
         for (const auto* name : {"split", "bound", "outside"}) proof_.tallies.push_back({name});
@@ -28,7 +29,8 @@ class ClaimReader : public Reader<Leaf> {
     [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return Claim::names.at(claim_.kind); }
+    [[nodiscard]] std::string_view kind() const override { return claim_.kind_name(); }
+    [[nodiscard]] std::string missing() const override { return adiabatic::missing(claim_, numbers_); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         return check_leaf(leaf, log);
     }
@@ -177,6 +179,7 @@ class ClaimReader : public Reader<Leaf> {
 
     static constexpr std::array<std::string_view, 5> names{"u", "s", "v", "delta", "sigma"};
 
+    const starts::Numbers& numbers_;
     Terms terms_;
     Claim& claim_ = terms_.claim;
     Leaf leaf_;  ///< the present one; its box is that of the present node
@@ -196,8 +199,9 @@ const char* check_leaf(const Leaf& leaf, Log* log) {
     }
 }
 
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, Claim::Kind kind) {
-    ClaimReader reader(text, settings, kind);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const starts::Numbers& numbers,
+                              Claim::Kind kind) {
+    ClaimReader reader(text, settings, numbers, kind);
     Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
 }

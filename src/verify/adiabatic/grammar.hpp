@@ -2,7 +2,7 @@
 #pragma once
 #include <deque>
 
-#include "verify/adiabatic/claim.hpp"
+#include "verify/adiabatic/demand.hpp"
 #include "verify/adiabatic/potential.hpp"
 #include "verify/core/settings.hpp"
 #include "verify/core/text.hpp"
@@ -51,6 +51,7 @@ const char* check_attained(const Leaf& leaf, Log* log);  ///< section 6
 
 /// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, Claim::Kind kind);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const starts::Numbers& numbers,
+                              Claim::Kind kind);
 
 }  // namespace dumbbell_verify::adiabatic

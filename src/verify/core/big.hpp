@@ -92,15 +92,23 @@ inline int terms(const Big& y) {
     return n;
 }
 
+/// What `check` finds missing; enclosures that exclude each other prove nothing.
+template <class Check>
+const char* checked(const Check& check) try {
+    return check();
+} catch (const Excluded&) {
+    return "two enclosures of the same thing exclude each other";
+}
+
 /// nullptr if Judge certifies the leaf in double, or else in MPFR with the leaf's bits, of which 53 are
 /// closer than double; otherwise what is missing. A leaf that is `multiple` is not tried in double. Judge
 /// needs a name that no other judge of this leaf type has: g++ merges the instances of equally named
 /// templates, though they are in unnamed namespaces.
 template <template <class> class Judge, class AnyLeaf>
 const char* judged(const AnyLeaf& leaf, Log* log) {
-    if (!leaf.multiple && !Judge<double>(leaf, log).verdict()) return nullptr;
+    if (!leaf.multiple && !checked([&] { return Judge<double>(leaf, log).verdict(); })) return nullptr;
     Big::precision = leaf.bits;
-    return Judge<Big>(leaf, log).verdict();
+    return checked([&] { return Judge<Big>(leaf, log).verdict(); });
 }
 
 }  // namespace dumbbell_verify

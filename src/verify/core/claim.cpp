@@ -10,15 +10,6 @@ std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
 
-std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from, const mpq_class& to,
-                         const char* ratios) {
-    if (hi < from || to < lo)
-        return std::string("nothing is said of ") + ratios + to_string(from, to) + ", only of " +
-               to_string(lo, hi);
-    return std::string("of ") + ratios + to_string(from, to) + " only " +
-           to_string(std::max(lo, from), std::min(hi, to)) + " are covered";
-}
-
 Bounds::Bounds(const std::optional<mpz_class>& u, const mpz_class& v)
     : upper(u), lower(v), pieces(1), gaps(u && *u == v + 1), open(!u || *u > v + 1) {}
 
@@ -85,9 +76,12 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
 std::string Collisions::missing() const {
     const auto [from, to] = question();
     const std::string range = (rho ? " for every Q in " : " for every mass ratio in ") + to_string(from, to);
-    const char* ratios_in_question = rho ? "Q in " : "the mass ratios ";
     const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
-    if (from < lo || !covered(0)) return covered_part(lo, hi, from, to, ratios_in_question);
+    if (from < lo || !covered(0)) {
+        const std::string which = (rho ? "Q in " : "the mass ratios ") + to_string(from, to);
+        if (hi < from || to < lo) return "nothing is said of " + which + ", only of " + to_string(lo, hi);
+        return "of " + which + " only " + to_string(std::max(lo, from), std::min(hi, to)) + " are covered";
+    }
     if (most && !covered(1)) return "not proved: at most " + most->get_str() + " collisions" + range;
     if (rhos && !(rho && rho->first <= rhos->first && rhos->second <= rho->second))
         return "not proved for every rho in " + to_string(rhos->first, rhos->second);

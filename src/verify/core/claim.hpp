@@ -16,11 +16,6 @@ namespace dumbbell_verify {
 using Range = std::pair<mpq_class, mpq_class>;
 std::string to_string(const mpq_class& ratio);                    ///< P/Q
 std::string to_string(const mpq_class& lo, const mpq_class& hi);  ///< LO:HI
-/// For a claim about the ratios [lo, hi] that was asked about [from, to], and does not cover them: what it
-/// covers.
-std::string covered_part(const mpq_class& lo, const mpq_class& hi, const mpq_class& from, const mpq_class& to,
-                         const char* ratios = "the mass ratios ");
-
 /// For all pieces so far: N*(q) <= upper if it is a number, N*(q) >= lower.
 struct Bounds {
     std::optional<mpz_class> upper;  ///< the largest; none if a piece has none

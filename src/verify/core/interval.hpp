@@ -40,6 +40,7 @@ struct Interval {
         return {div(down, a.lo, a.lo < 0 ? b.lo : b.hi), div(up, a.hi, a.hi < 0 ? b.hi : b.lo)};
     }
 };
+struct Excluded {};  ///< thrown where two enclosures of the same thing exclude each other
 
 template <class N>
 Interval<N> pi() {

@@ -10,6 +10,17 @@ template <class N>
 Interval<N> hull(const Interval<N>& a, const Interval<N>& b) {
     return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
 }
+/// From a lower bound of something to an upper bound of the same.
+template <class N>
+Interval<N> span(const N& low, const N& high) {
+    if (!(low <= high)) throw Excluded();
+    return {low, high};
+}
+/// The numbers that lie in both, of two enclosures of the same thing.
+template <class N>
+Interval<N> meet(const Interval<N>& a, const Interval<N>& b) {
+    return span(std::max(a.lo, b.lo), std::min(a.hi, b.hi));
+}
 /// The squares; >= 0 also where x holds 0.
 template <class N>
 Interval<N> square(const Interval<N>& x) {

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ class Bytes : public Source {
     /// Throws Failure if the file cannot be read, here and below.
     explicit Bytes(const std::string& path) try : file_(path) {
         first_ = read();
+        if (first_ == "\x1f")
+            first_ = {raw_.data(), 1 + file_.read(std::span(raw_).subspan(1))};  // of a pipe
         gzip_ = first_.starts_with("\x1f\x8b");
         if (!gzip_) return;
         feed(std::exchange(first_, {}));

@@ -81,16 +81,16 @@ class BulkRule : Rule<N> {
     bool is_bounded(const I& eps, const I& P) {
         const auto [M, K, J] = defect(eps, P);
         const I th = Base::side(0), x = square(th), x2 = square(x), x4 = square(x2);
-        const I p = fraction<N>(94, 100) * x - fraction<N>(1035, 1000) * x2 + fraction<N>(2107, 1000) * x4 -
-                    fraction<N>(1, 3);
-        const I slack = fraction<N>(6, 1000) + fraction<N>(3, 4) * I(x4.lo);
+        const I p = fraction<N>(bulk_p[1]) * x + fraction<N>(bulk_p[2]) * x2 + fraction<N>(bulk_p[3]) * x4 +
+                    fraction<N>(bulk_p[0]);
+        const I slack = fraction<N>(bulk_slack[0]) + fraction<N>(bulk_slack[1]) * I(x4.lo);
         return fact("Q/cos = pi at pi/3 within 1/50000, and J/cos", Clock<N>(quarter).has_last_angle(J)) &&
                within("|D/((eps/2) (alpha' - alpha)) - p(th)| <= 0.006 + 0.75 th^8", M, p - slack,
                       p + slack) &&
                less("(J - J')/(eps^2 (alpha' - alpha)) in its range", K,
-                    fraction<N>(most_fall.at(this->leaf_.range), 10), false);
+                    fraction<N>(most_fall.at(this->leaf_.range)), false);
     }
-    static constexpr std::array<int, 3> most_fall{21, 62, 227};  ///< of K, in tenths
+    static I not_negative(const I& x) { return {std::max(N(0), x.lo), std::max(N(0), x.hi)}; }
 
     [[nodiscard]] I Q() const {
         return quarter + Base::between(this->leaf_.states->least_Q, this->leaf_.states->most_Q);
@@ -178,10 +178,9 @@ class BulkRule : Rule<N> {
             return false;
         for (int i = 0; i < parts; ++i) {
             const I share(fraction<N>(i, parts).lo, fraction<N>(i + 1, parts).hi), U = least + length * share;
-            const I F = pi<N>() - U, R = square(F) - square(J),
-                    root = square_root(I(std::max(N(0), R.lo), R.hi));
+            const I F = pi<N>() - U, R = square(F) - square(J), root = square_root(not_negative(R));
             const auto [s, c] = sin_cos_on(U, quarter);
-            const I cosine = I(std::max(N(0), c.lo), c.hi);
+            const I cosine = not_negative(c);
             const I d = fraction<N>(1001, 1000) * F * root / (J * s);
             const I A =
                 (J + fraction<N>(1, 100)) / F * square(d) * cosine / s + F / (I(2) * square(s)) + d / s;

@@ -18,6 +18,7 @@ struct Claim {
     static constexpr std::string_view leaves = "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
     std::pair<mpq_class, mpq_class> from;  ///< q_c(9) lies between these
 
+    [[nodiscard]] static std::string_view kind_name() { return "law"; }
     [[nodiscard]] std::string text() const;
     /// The claim in words, lines that begin with two spaces.
     [[nodiscard]] static std::string paragraph();

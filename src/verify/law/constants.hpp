@@ -24,6 +24,20 @@ constexpr Ratio layer_U{9, 10}, layer_rho{1, 5}, end_d{9, 100};
 constexpr std::array<Ratio, 4> bulk_angles{{{0, 1}, {3, 5}, {7, 10}, {993, 1250}}};
 /// J is in pi/2 + [-drift eps^2/u^3, rise eps^2], in the bulk Q in pi/2 + [least, most].
 constexpr Ratio J_drift{53, 10}, J_rise{1, 4}, bulk_least_Q{-1, 100'000}, bulk_most_Q{3, 100'000};
+/// To begin with Q is in pi/2 + [least, most] in the layer, in pi/2 + d [least, most] at the end (L53).
+constexpr Ratio layer_least_Q{-1, 100}, layer_most_Q{1, 20}, end_least_Q{-1, 10}, end_most_Q{3, 5};
+/// (C4).
+constexpr Ratio least_delta{-23, 200}, most_delta{1, 50};
+/// (C6) and (C7), the factors of y and Delta^2; (C8).
+constexpr std::array<Ratio, 2> layer_least{{{-31, 200}, {-43, 100}}}, layer_most{{{1, 8}, {9, 20}}};
+constexpr Ratio most_drift{159, 10};
+/// (C9), p by 1, th^2, th^4, th^8, and its slack by 1, th^8; (C10), in each range.
+constexpr std::array<Ratio, 4> bulk_p{{{-1, 3}, {47, 50}, {-207, 200}, {2107, 1000}}};
+constexpr std::array<Ratio, 2> bulk_slack{{{3, 500}, {3, 4}}};
+constexpr std::array<Ratio, 3> most_fall{{{21, 10}, {31, 5}, {227, 10}}};
+/// (C11), its slack by 1, d.
+constexpr Ratio end_surplus{-1657, 10'000};
+constexpr std::array<Ratio, 2> end_slack{{{3, 1000}, {1, 2}}};
 
 /// k0 = 3^(-7/4) pi^(-1/2), of the comparison function.
 template <class N>

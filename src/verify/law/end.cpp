@@ -22,12 +22,13 @@ class EndRule : Rule<N> {
             // kappa = d^2 kh, and kh = (sinc^2 d + d^2 kh^2/4 [1, 1 + kappa^2])/F, again and again; at first
             // kh is in [0, 1/2], as rk, convex in kappa, is at most (pi/2 - 1) kappa, and kappa (2 pi - 2 d)
             // = 2 sin^2 d + rk.
-            I k(N(0), fraction<N>(1, 2).hi);
+            I k(N(0), fraction<N>(1, 2).hi), most = 1;
             for (int i = 0; i < 4; ++i) {
-                above = I(N(1), (I(1) + square(d2 * k)).hi);
-                k = common(k, (square(sinc(at)) + d2 * square(k) / I(4) * above) / (pi<N>() - at));
+                most = I(N(1), (I(1) + square(d2 * k)).hi);
+                k = meet(k, (square(sinc(at)) + d2 * square(k) / I(4) * most) / (pi<N>() - at));
             }
-            const S lift = along.curve(0, square(k) / I(4) * above);  // rk/(2 d^2)
+            above = along.curve(1, I(N(0), (d2 * square(k)).hi));
+            const S lift = along.curve(0, square(k) / I(4) * most);  // rk/(2 d^2)
             kh = (square(wave) + lift) / F;
             epsh = kh * cosine / sine;
             const S b = epsh / (double_wave * I(2)), c = I(1) / square_root(I(1) + square(d * b));
@@ -36,7 +37,7 @@ class EndRule : Rule<N> {
         }
         S Q, F, kh, epsh;  ///< eps = d^2 epsh
         S A;               ///< J - Q = d A
-        I above{1};        ///< [1, 1 + kappa^2]
+        S above;           ///< of [1, 1 + kappa^2]
     };
 
   public:
@@ -52,7 +53,7 @@ class EndRule : Rule<N> {
 
     bool is_bounded() {
         I q = window();
-        for (int i = 0; i < refinements; ++i) q = common(q, offset(End(along_, along_.line(quarter, q))));
+        for (int i = 0; i < refinements; ++i) q = meet(q, offset(End(along_, along_.line(quarter, q))));
         if (!less("(Q - pi/2)/d, its least and its most", I(q.lo), I(q.hi), false)) return false;
         const End end(along_, along_.line(quarter, q));
         const S share = end_defect(end);
@@ -61,14 +62,14 @@ class EndRule : Rule<N> {
         const I turn = -(square_root(square_root(I(3))) * (I(16) * q + I(7)) /
                          (I(36) * Base::half_turn * square_root(Base::half_turn)));
         const I surplus = (turn + d_ * share.bend) / square_root(along_.values(end.epsh));
-        const I slack = fraction<N>(3, 1000) + fraction<N>(1, 2) * I(d_.lo);
+        const I slack = fraction<N>(end_slack[0]) + fraction<N>(end_slack[1]) * I(d_.lo);
         return within("e_end/sqrt(eps) = k0 at d = 0", k0, I(share.zero.lo), I(share.zero.hi)) &&
                within("|(e_end - k0 sqrt(eps))/eps + 0.1657| <= 0.003 + 0.5 d", surplus,
-                      fraction<N>(-1657, 10000) - slack, fraction<N>(-1657, 10000) + slack);
+                      fraction<N>(end_surplus) - slack, fraction<N>(end_surplus) + slack);
     }
 
     /// (Q - pi/2)/d, to begin with (L53).
-    static I window() { return {fraction<N>(-1, 10).lo, fraction<N>(3, 5).hi}; }
+    static I window() { return {fraction<N>(end_least_Q).lo, fraction<N>(end_most_Q).hi}; }
     /// (Q - pi/2)/d, as Q = J - A and u_b = 2 d.
     [[nodiscard]] I offset(const End& end) const {
         const I e2 = square(along_.values(end.epsh));

@@ -28,7 +28,7 @@ class ClaimReader : public Reader<Leaf> {
     [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return "law"; }
+    [[nodiscard]] std::string_view kind() const override { return Claim::kind_name(); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         if (leaf.rule == Leaf::step) return turning().check(leaf.at_step, log);
         if (leaf.rule == Leaf::bulk) return check_bulk(leaf, log);

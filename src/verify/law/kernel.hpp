@@ -54,8 +54,8 @@ Slope<N> middle_error(const Along<N>& along, const Slope<N>& sin_U, const Slope<
     const Slope<N> J3 = along.curve(0, rho2 / I(5) * below_one(d2, fraction<N>(1, 6)));
     const FarBends<N> far = far_bends<N>({(middle - d).lo, (middle + d).hi}, along.values(Q));
     const Bends<Slope<N>> G = bends<N>(F, Q);
-    return sin_U * (G.second * I2 + I4 * (far.fourth / I(12))) -
-           I(2) * (cos_U * (G.first * J1 + J3 * (far.third / I(6))));
+    return sin_U * (G.second * I2 + along.times(I4, far.fourth / I(12))) -
+           I(2) * (cos_U * (G.first * J1 + along.times(J3, far.third / I(6))));
 }
 
 /// Integrals over the way from u = 0, of f(x) = sinc(x) g(pi - x) with g = G(., J) or H(., Q). Each part of

@@ -37,7 +37,7 @@ struct LayerStep {
         const S lost = along.curve(0, fraction<N>(2, 3) * below_one(d2, fraction<N>(1, 5)));
         const S fall = (ratio - lost) / (I(1) - (ratio - I(1)) * (square(rho) / product));
         const S fall_last =
-            (cos_U * wave_d + sin_U * d * (below_one(d2, fraction<N>(1, 10)) / I(3))) / wave_last;
+            (cos_U * wave_d + along.times(sin_U * d, below_one(d2, fraction<N>(1, 10)) / I(3))) / wave_last;
         const S more = Q * kc + sine * ks - cosine * fall_last * d * kc * (rho / minus);
         const S kick = Q * square(b_last * c_last) / (I(1) + c_last) + sine * b_last * c_last;
         const S first_fall = c * fall, last_fall = c_last * fall_last;
@@ -84,7 +84,7 @@ class LayerRule : Rule<N> {
 
     bool is_bounded() {
         I q = offset(Step(along_, rho_, along_.line(Base::crude_Q(), 0)));
-        for (int i = 0; i < refinements; ++i) q = common(q, offset(Step(along_, rho_, offset_by(q))));
+        for (int i = 0; i < refinements; ++i) q = meet(q, offset(Step(along_, rho_, offset_by(q))));
         if (!less("(Q - pi/2)/(rho^2 U), its least and its most", I(q.lo), I(q.hi), false)) return false;
         const Step step(along_, rho_, offset_by(q));
         const Roots roots(*this, step);
@@ -102,7 +102,8 @@ class LayerRule : Rule<N> {
                 spread = I(1) / square(along_.values(roots.half));
         const I drift = along_.values(step.change) / (square(along_.values(step.ehat)) * step.product * I(2));
         // x = (1 - D/D0(T))/y - 5/(3 pi) beyond a y + b (T^(1/2) - (T - 1)^(1/2))^2, on the side of the sign.
-        const auto bounded = [&](const char* what, const Ratio& a, const Ratio& b, int sign) {
+        const auto bounded = [&](const char* what, const std::array<Ratio, 2>& a_b, int sign) {
+            const auto& [a, b] = a_b;
             const I by_r = (by_rho - fraction<N>(b) * spread) * I(sign);
             const I by_u = (by_U - fraction<N>(a) * v_at) * I(sign), sum = rho_ * by_r + along_.U * by_u;
             if (this->log_)
@@ -111,9 +112,9 @@ class LayerRule : Rule<N> {
         };
         return within("D/D0(T) = 1 at U = 0", 1, I(ratio.zero.lo), I(ratio.zero.hi)) &&
                within("its derivative there, less that of L57, is 0", 0, I(slope.lo), I(slope.hi)) &&
-               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too small", {-31, 200}, {-43, 100}, 1) &&
-               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too large", {1, 8}, {9, 20}, -1) &&
-               less("a/(2 ehat^2) <= 15.9", drift, fraction<N>(159, 10), false);
+               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too small", layer_least, 1) &&
+               bounded("(1 - D/D0(T))/y - 5/(3 pi) is not too large", layer_most, -1) &&
+               less("a/(2 ehat^2) <= 15.9", drift, fraction<N>(most_drift), false);
     }
 
     /// (J - pi/2)/(U rho^2), from its window; eps = rho U^2 ehat.
@@ -133,10 +134,10 @@ class LayerRule : Rule<N> {
             // Q + A: L57 knows its derivative at U = 0 by that of Q.
             const S J = step.Q + rule.along_.line(0, square(step.rho)) * step.first;
             S k = Moments<N>(rule.along_).way_G(step.plus, J, rule.leaf_.states->parts) / step.ehat * I(2);
-            k.zero = 1;
+            k.zero = meet(k.zero, I(1));
             rest = (k - I(1)) * square(step.plus / step.minus) + I(1);
             half = (square_root(k) * step.plus + square_root(rest) * step.minus) / I(2);
-            half.zero = 1;
+            half.zero = meet(half.zero, I(1));
         }
     };
 
@@ -150,8 +151,8 @@ class LayerRule : Rule<N> {
         const S R = square(pi<N>()) - square(step.Q), r3 = I(1) / (R * square_root(R));
         const S at0 = r3 * pi<N>(), turn = r3 / R * (I(3) * square(pi<N>())) - r3;
         const S start = at0 + along_.line(0, fraction<N>(4, 3)) * turn;
-        both.zero = start.zero;
-        both.first = start.first;
+        both.zero = meet(both.zero, start.zero);
+        both.first = meet(both.first, start.first);
         const S E1 = middle_error(along_, step.sin_U, step.cos_U, step.F, step.Q, rho_);
         // Second order in A: between Q and Q + A.
         const auto second = [&](const S& A, const I& p) {
@@ -188,9 +189,11 @@ const char* check_constant(unsigned bits, bool multiple, Log* log) {
     Big::precision = bits;
     for (int i = 0; i <= 4; ++i) {
         leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(i, 20);
-        if (const char* missing = multiple ? LayerRule<Big>(leaf, log).normalised_verdict()
-                                           : LayerRule<double>(leaf, log).normalised_verdict())
-            return missing;
+        const char* missing = checked([&] {
+            return multiple ? LayerRule<Big>(leaf, log).normalised_verdict()
+                            : LayerRule<double>(leaf, log).normalised_verdict();
+        });
+        if (missing) return missing;
     }
     return nullptr;
 }

@@ -34,7 +34,9 @@ class Rule : public Rays<N> {
     [[nodiscard]] I drift() const { return number(leaf_.states->drift); }
     [[nodiscard]] I rise() const { return number(leaf_.states->rise); }
     /// What Q is known to be in the layer, before it is J - A (L53).
-    [[nodiscard]] I crude_Q() const { return quarter + I(fraction<N>(-1, 100).lo, fraction<N>(1, 20).hi); }
+    [[nodiscard]] I crude_Q() const {
+        return quarter + I(fraction<N>(layer_least_Q).lo, fraction<N>(layer_most_Q).hi);
+    }
 
     const Leaf& leaf_;
 };

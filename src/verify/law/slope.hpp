@@ -76,11 +76,6 @@ template <class N>
 Interval<N> below_one(const Interval<N>& y, const Interval<N>& k) {
     return {(Interval<N>(1) - k * y).lo, N(1)};
 }
-/// The numbers that lie in both; lo > hi if there is none.
-template <class N>
-Interval<N> common(const Interval<N>& x, const Interval<N>& y) {
-    return {std::max(x.lo, y.lo), std::min(x.hi, y.hi)};
-}
 /// Numbers of any sign that are at most |x| for some x of X, and all x.
 template <class N>
 Interval<N> up_to_size(const Interval<N>& x) {
@@ -125,13 +120,19 @@ struct Along {
     [[nodiscard]] S curve(const I& zero, const I& bend) const {
         return {zero, I(0), U * bend, bend, zero + square(U) * bend};
     }
+    /// U^2 x2 times what may depend on U; nothing is known unless x is of that form.
+    [[nodiscard]] S times(const S& x, const I& k) const {
+        for (const I& part : {x.zero, x.first})
+            if (!(part.lo == N(0) && part.hi == N(0))) return x * (I(1) / I(0));
+        return x * k;
+    }
     /// The values of the quantity.
     [[nodiscard]] I values(const S& x) const {
-        return common(common(x.whole, x.zero + U * x.rise), x.zero + U * (x.first + U * x.bend));
+        return meet(meet(x.whole, x.zero + U * x.rise), x.zero + U * (x.first + U * x.bend));
     }
     /// The same quantity, with all that is known of it in each part.
     [[nodiscard]] S tight(const S& x) const {
-        return {x.zero, x.first, common(x.rise, x.first + U * x.bend), x.bend, values(x)};
+        return {x.zero, x.first, meet(x.rise, x.first + U * x.bend), x.bend, values(x)};
     }
     /// sinc(k U) and cos(k U) for numbers k >= 0, k U in [0, 2]: 1 - x^2/6 (1 - x^2/20 ...) and 1 - x^2/2 (1
     /// - x^2/12 ...), x = k U.

@@ -17,8 +17,8 @@ class StepPlaces {
         const I before = delta(step, a), behind = delta(step, b),
                 quarter_power = square_root(square_root(number(b)));
         const auto less = [](const I& x, const I& y) { return x.hi < y.lo; };
-        if (!less(fraction<N>(-115, 1000), before)) return "C sqrt A - (N - 2) > -0.115";
-        if (!less(behind, fraction<N>(2, 100))) return "C sqrt B - (N - 2) < 0.02";
+        if (!less(fraction<N>(least_delta), before)) return "C sqrt A - (N - 2) > -0.115";
+        if (!less(behind, fraction<N>(most_delta))) return "C sqrt B - (N - 2) < 0.02";
         if (step >= law_step && !less(0, before)) return "C sqrt A - (N - 2) > 0";
         if (step >= law_step && !less(behind, c0_ / quarter_power)) return "C sqrt B - (N - 2) < c0 B^(-1/4)";
         return nullptr;

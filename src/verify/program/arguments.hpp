@@ -61,6 +61,21 @@ inline std::optional<mpq_class> parse_decimal(const std::string& text) {
     return number;
 }
 
+/// A decimal as above, or [0-9]+/[0-9]+ with a denominator that is not 0; nothing of other texts, and of
+/// those that are too long.
+inline std::optional<mpq_class> parse_rational(const std::string& text) {
+    if (text.size() > 2100) return std::nullopt;
+    std::string_view rest = text;
+    const std::string top = take_digits(rest);
+    if (!take(rest, '/')) return parse_decimal(text);
+    const std::string bottom = take_digits(rest);
+    if (top.empty() || !rest.empty() || bottom.find_first_not_of('0') == std::string::npos)
+        return std::nullopt;
+    mpq_class number(mpz_class(top, 10), mpz_class(bottom, 10));
+    number.canonicalize();
+    return number;
+}
+
 /// Options are `--name`, `--name VALUE` or `--name=VALUE`; after `--` there are none. What is wrong is
 /// thrown as std::invalid_argument with a message for the user.
 class Arguments {

@@ -29,16 +29,26 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The folder of a list that has one: a pipe has none.
+/// The folder of a list that has one: a pipe has none, nor has a file that is named as an open one, below
+/// /proc, to where /dev/stdin leads.
 std::filesystem::path folder_of(const std::filesystem::path& list) {
+    constexpr int most_links = 40;  // they may lead in a circle
     std::error_code none;
+    std::filesystem::path at = std::filesystem::absolute(list);
+    for (int i = 0; i < most_links; ++i) {
+        if (std::filesystem::canonical(at.parent_path(), none).string().starts_with("/proc/")) return "";
+        if (!std::filesystem::is_symlink(at, none)) break;
+        at = at.parent_path() / std::filesystem::read_symlink(at, none);
+    }
     return std::filesystem::is_regular_file(list, none) ? list.parent_path() : "";
 }
 
-Job parse_row(const std::string& row, const std::filesystem::path& folder, Settings settings) {
+Job parse_row(const std::string& row, const std::filesystem::path& folder, Request settings) {
     const auto fields = split(row, '\t');
     if (fields.size() < 2 || fields[0].empty())
-        throw std::invalid_argument("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4");
+        throw std::invalid_argument(
+            "needs a certificate, a tab and its claim, FILE<tab>--ratio 10 --max 4, not `" +
+            row.substr(0, 60) + "`");
     if (fields[0].find('\0') != std::string::npos) throw std::invalid_argument("a name with a zero byte");
     Arguments given(split(fields[1], ' '));
     ClaimWords words;
@@ -50,15 +60,21 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Setti
         if (fields[i].substr(std::min(fields[i].find_first_not_of(' '), fields[i].size())).starts_with("--"))
             throw std::invalid_argument("a demand behind the second tab, where remarks are: put it before");
     const Collisions& demand = settings.demand;
-    if (settings.claim != "law" && (!demand.ratios || !(demand.most || demand.least)))
+    const auto& numbers = settings.numbers;
+    const bool is_whole = adiabatic::kind_named(settings.claim)
+                              ? numbers.contains("delta") && numbers.contains("constant")
+                              : demand.ratios && (demand.most || demand.least || numbers.contains("decided"));
+    if (settings.claim != "law" && !is_whole)
         throw std::invalid_argument(
-            "the claim needs --ratio or a body, and --max, --min or --exactly; or it is --claim law");
+            "the claim needs --ratio or a body, and --max, --min, --exactly or --decided; or it is --claim "
+            "law, or "
+            "--claim adiabatic-... with --delta and --constant");
     return {fields[0] == "-" ? "-" : (folder / fields[0]).string(), std::move(settings)};
 }
 
 }  // namespace
 
-std::vector<Job> read_claims(const std::string& path, const Settings& settings) {
+std::vector<Job> read_claims(const std::string& path, const Request& settings) {
     std::vector<Job> jobs;
     std::string where = path;
     try {

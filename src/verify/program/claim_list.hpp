@@ -8,6 +8,6 @@ namespace dumbbell_verify {
 /// another tab. Empty lines and lines that begin with # are remarks. Names are relative to the list's folder.
 /// What the options do not say is as in `settings`. Throws std::invalid_argument naming the row if one states
 /// no claim, or if there is none.
-std::vector<Job> read_claims(const std::string& path, const Settings& settings);
+std::vector<Job> read_claims(const std::string& path, const Request& settings);
 
 }  // namespace dumbbell_verify

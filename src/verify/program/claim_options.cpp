@@ -5,28 +5,17 @@
 #include <string_view>
 
 #include "verify/core/section.hpp"
+#include "verify/program/number_options.hpp"
 
 namespace dumbbell_verify {
 namespace {
 
-/// What [0-9]+/[0-9]+ stands for; 0 of other texts, and if the denominator is 0.
-mpq_class parse_fraction(std::string_view rest) {
-    const std::string top = take_digits(rest);
-    const bool is_fraction = take(rest, '/');
-    const std::string bottom = take_digits(rest);
-    if (top.empty() || !is_fraction || bottom.empty() || !rest.empty()) return 0;
-    const mpz_class denominator(bottom, 10);
-    return denominator == 0 ? mpq_class(0) : mpq_class(mpz_class(top, 10), denominator);
-}
-
 /// RATIO of the command line, exactly.
 mpq_class parse_ratio(const std::string& text) {
-    mpq_class ratio = 0;
-    if (text.size() <= 1000)
-        ratio = text.find('/') < text.size() ? parse_fraction(text) : parse_decimal(text).value_or(0);
-    if (ratio == 0) throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
-    ratio.canonicalize();
-    return ratio;
+    const auto ratio = parse_rational(text);
+    if (!ratio || *ratio == 0)
+        throw std::invalid_argument("not a positive ratio: `" + text.substr(0, 60) + "`");
+    return *ratio;
 }
 
 /// The interval of ratios that RATIO or LO:HI stands for, exactly.
@@ -55,12 +44,13 @@ mpz_class parse_count(const std::string& option, const std::string& text) {
                                 text.substr(0, 60) + "`");
 }
 
-/// Of a gap, 0 <= REL < 1.
-mpq_class parse_width(const std::string& text) {
-    if (text == "0") return 0;
-    mpq_class width = parse_ratio(text);
-    if (width >= 1) throw std::invalid_argument("--gap is a width below 1, not " + text.substr(0, 60));
-    return width;
+/// A relative width, of a gap below 1, or a rod's share of the mass.
+mpq_class parse_number(const std::string& option, const std::string& text) {
+    const auto number = parse_rational(text);
+    if (!number) throw std::invalid_argument(option + " needs a number, not `" + text.substr(0, 60) + "`");
+    if (option == "--gap" && *number >= 1)
+        throw std::invalid_argument("--gap is a width below 1, not " + text.substr(0, 60));
+    return *number;
 }
 
 /// rho and Q = (d1/k)^2 of the dumbbell with mass ratio q whose rod has mu times the mass of its ends: L70
@@ -77,7 +67,7 @@ const std::string* find(const ClaimWords& words, const char* option) {
 }
 
 /// The options that say which bodies are meant.
-void state_body(const ClaimWords& words, Settings& settings) {
+void state_body(const ClaimWords& words, Request& settings) {
     Collisions& demand = settings.demand;
     if (!settings.scene.empty() && settings.scene != "body")
         throw std::invalid_argument("--rho, --inertia, --coin and --rod-mass are about bodies, not --scene " +
@@ -93,7 +83,7 @@ void state_body(const ClaimWords& words, Settings& settings) {
         const Range q = ratio ? parse_mass_ratios(*ratio, false) : Range(1, 2);
         if (q.first != q.second)
             throw std::invalid_argument("--rod-mass needs one mass ratio: --ratio RATIO");
-        const auto body = rod(q.first, *mass == "0" ? mpq_class(0) : parse_ratio(*mass));
+        const auto body = rod(q.first, parse_number("--rod-mass", *mass));
         demand.rhos = Range(body.first, body.first);
         demand.ratios = Range(body.second, body.second);
     } else if (ratio) {
@@ -108,28 +98,20 @@ void state_body(const ClaimWords& words, Settings& settings) {
         throw std::invalid_argument("a bound for a body needs --rho and --inertia, or --coin");
 }
 
-bool is_about(const std::string& claim, std::string_view option) {
-    if (option == "--scene" || option == "--claim") return true;
-    if (claim == "initial-conditions" || claim == "incoming")
-        return option == "--ratio" || option == "--max" || option == "--min" || option == "--exactly";
-    return claim.empty() || claim == "collisions";
-}
-
 }  // namespace
 
 bool claim_option(Arguments& given, ClaimWords& words) {
-    constexpr std::array<std::string_view, 13> names{
-        "--ratio", "--max",     "--min",  "--exactly",  "--gap",   "--gaps", "--heavy-at-most",
-        "--rho",   "--inertia", "--coin", "--rod-mass", "--scene", "--claim"};
+    constexpr std::array<std::string_view, 5> others{"--exactly", "--coin", "--rod-mass", "--scene",
+                                                     "--claim"};
     const std::string& name = given.option;
-    if (std::find(names.begin(), names.end(), name) == names.end()) return false;
+    if (!is_claim_option(name) && std::find(others.begin(), others.end(), name) == others.end()) return false;
     given.once();
     words[name] = name == "--coin" && given.word == name ? "" : given.value();
     if (name == "--coin" && given.word != name) throw std::invalid_argument("--coin has no value");
     return true;
 }
 
-void state_claim(const ClaimWords& words, Settings& settings) {
+void state_claim(const ClaimWords& words, Request& settings) {
     Collisions& demand = settings.demand;
     if (const auto* scene = find(words, "--scene")) {
         settings.scene = *scene;
@@ -146,9 +128,6 @@ void state_claim(const ClaimWords& words, Settings& settings) {
                 "--claim is collisions, initial-conditions, incoming, adiabatic-bounce, adiabatic-run, "
                 "adiabatic-scattering or law");
     }
-    for (const auto& [option, value] : words)
-        if (!is_about(settings.claim, option))
-            throw std::invalid_argument(option + " does not fit --claim " + settings.claim);
     if (words.contains("--exactly") && (words.contains("--max") || words.contains("--min")))
         throw std::invalid_argument("--exactly N is --max N and --min N: give it without them");
     for (const char* option : {"--max", "--min", "--exactly"})
@@ -158,7 +137,7 @@ void state_claim(const ClaimWords& words, Settings& settings) {
             if (name != "--min") demand.most = number;
             if (name != "--max") demand.least = number;
         }
-    if (const auto* gap = find(words, "--gap")) demand.gap = parse_width(*gap);
+    if (const auto* gap = find(words, "--gap")) demand.gap = parse_number("--gap", *gap);
     if (const auto* gaps = find(words, "--gaps")) demand.gaps_at_most = parse_count("--gaps", *gaps);
     if (const auto* heavy = find(words, "--heavy-at-most")) {
         if (*heavy != "1") throw std::invalid_argument("--heavy-at-most is 1: no other number is proved");
@@ -170,6 +149,8 @@ void state_claim(const ClaimWords& words, Settings& settings) {
         state_body(words, settings);
     else if (const auto* ratio = find(words, "--ratio"))
         demand.ratios = parse_mass_ratios(*ratio, settings.claim == "initial-conditions");
+    settings.numbers = numbers_of(words);
+    require_fitting_kind(settings);
 }
 
 const Collisions& own_demand(const Settings& settings) {
@@ -177,7 +158,7 @@ const Collisions& own_demand(const Settings& settings) {
     return settings.together ? nothing : settings.demand;
 }
 
-std::string demand_text(const Settings& settings, const Collisions& demand) {
+std::string demand_text(const Request& settings, const Collisions& demand) {
     std::string text;
     const bool both = demand.most && demand.most == demand.least;
     if (demand.ratios)
@@ -191,26 +172,7 @@ std::string demand_text(const Settings& settings, const Collisions& demand) {
     if (settings.heavy_once) text += " demanded-heavy-at-most=1";
     if (!settings.scene.empty()) text += " demanded-scene=" + settings.scene;
     if (!settings.claim.empty()) text += " demanded-claim=" + settings.claim;
-    return text;
-}
-
-std::string not_demanded(const Settings& settings, const Proof& proof) {
-    const Collisions& demand = settings.demand;
-    if (!proof.section || demand_text(settings, demand).empty()) return "";
-    const auto [from, to] = proof.claim.question();
-    const bool is_body = proof.claim.rho.has_value(), exact = demand.most && demand.most == demand.least;
-    std::string names;
-    const auto add = [&](bool lacks, const char* name) {
-        if (lacks) names += (names.empty() ? "" : ",") + std::string(name);
-    };
-    add(!demand.ratios, is_body ? "inertia" : "ratio");
-    add(is_body && !demand.rhos, "rho");
-    add(!demand.most, "max");
-    add(!demand.least, "min");
-    add(!demand.gap && !exact && from < to, "gap");
-    add(!demand.gaps_at_most && !exact && from < to, "gaps");
-    add(proof.heavy_once && !settings.heavy_once, "heavy-at-most");
-    return names;
+    return text + numbers_text(settings.numbers);
 }
 
 }  // namespace dumbbell_verify

@@ -1,32 +1,24 @@
 // The options that state a claim, the same on the command line and in a list of claims.
 #pragma once
-#include <map>
-
 #include "verify/program/arguments.hpp"
+#include "verify/program/number_options.hpp"
 #include "verify/program/verify.hpp"
 
 namespace dumbbell_verify {
-
-/// The options that state a claim, as they were given; what a number means depends on all of them.
-using ClaimWords = std::map<std::string, std::string>;
 
 /// Takes the present option if it is one of them; false if it is another. Throws std::invalid_argument.
 bool claim_option(Arguments& given, ClaimWords& words);
 
 /// What they demand, together. Throws std::invalid_argument if one of them is no number, does not fit the
 /// kind of claim, or needs another one.
-void state_claim(const ClaimWords& words, Settings& settings);
+void state_claim(const ClaimWords& words, Request& settings);
 
 /// What a file must prove by itself.
 const Collisions& own_demand(const Settings& settings);
 
 /// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI
 /// demanded-inertia=LO:HI demanded-rho=LO:HI max=N min=N demanded-gap=REL demanded-gaps=N demanded-scene=S
-/// demanded-claim=KIND` without what was not; ` exactly=N` for both bounds.
-std::string demand_text(const Settings& settings, const Collisions& demand);
-
-/// The options by which more of what a file about collisions proves could have been demanded, `ratio,max`;
-/// empty if nothing was demanded.
-std::string not_demanded(const Settings& settings, const Proof& proof);
+/// demanded-claim=KIND demanded-phi=LO:HI ...` without what was not; ` exactly=N` for both bounds.
+std::string demand_text(const Request& settings, const Collisions& demand);
 
 }  // namespace dumbbell_verify

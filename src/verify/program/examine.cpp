@@ -34,7 +34,7 @@ int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
 Result examine(const Job& job) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const Settings& settings = job.settings;
+    const Request& settings = job.settings;
     Result result;
     result.job = &job;
     try {

@@ -12,7 +12,7 @@ namespace dumbbell_verify {
 /// A file and what is demanded of it.
 struct Job {
     std::string file;
-    Settings settings;
+    Request settings;
     Source* bytes = nullptr;  ///< of the file, where they are not read by its name
 };
 

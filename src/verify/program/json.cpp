@@ -46,8 +46,11 @@ std::string work(bool known, const Proof& proof) {
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
 std::string fraction(const std::optional<mpq_class>& x) { return x ? json_string(to_string(*x)) : "null"; }
-std::string demand(const Settings& settings, const Collisions& d) {
+std::string demand(const Request& settings, const Collisions& d) {
     const bool is_body = settings.scene == "body";
+    std::vector<Member> numbers;
+    for (const auto& [name, both] : settings.numbers)
+        numbers.push_back({name, range(both.first, both.second)});
     return object({{"ratio", is_body ? "null" : range(d.ratios)},
                    {"inertia", is_body ? range(d.ratios) : "null"},
                    {"rho", range(d.rhos)},
@@ -57,7 +60,8 @@ std::string demand(const Settings& settings, const Collisions& d) {
                    {"gaps", count(d.gaps_at_most)},
                    {"heavy_at_most", settings.heavy_once ? "1" : "null"},
                    {"scene", string_unless(settings.scene.empty(), settings.scene)},
-                   {"claim", string_unless(settings.claim.empty(), settings.claim)}});
+                   {"claim", string_unless(settings.claim.empty(), settings.claim)},
+                   {"numbers", object(numbers)}});
 }
 
 std::string claim(const Result& result) {
@@ -87,7 +91,7 @@ std::string list(const std::vector<Result>& files) {
 
 std::string json(const Result& result) {
     const Failure& why = result.why;
-    const Settings& settings = result.job->settings;
+    const Request& settings = result.job->settings;
     const bool right = result.is_right(), verified = why.verdict == Verdict::verified;
     std::vector<Member> leaves, coverage;
     for (const Tally& tally : right ? result.proof.tallies : std::vector<Tally>()) {

@@ -39,7 +39,7 @@ void require_printed() {
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 TestCase test_case(const Result& r) {
-    const Settings& settings = r.job->settings;
+    const Request& settings = r.job->settings;
     return {one_line(r.job->file) + demand_text(settings, own_demand(settings)), r.why.verdict,
             result_text(r), verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
 }

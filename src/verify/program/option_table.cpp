@@ -47,17 +47,42 @@ constexpr Option table[] = {
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
      "--ratio, --max, --min and --exactly are then "
      "about the starts in its box); incoming (the same for all incoming trajectories); adiabatic-bounce, "
-     "adiabatic-run or adiabatic-scattering (the adiabatic invariant), or law (all mass "
-     "ratios): with these give no --ratio, --max, --min or --exactly",
+     "adiabatic-run or adiabatic-scattering (the adiabatic invariant), or law (all mass ratios)",
+     read_claim},
+    {"--phi", "A|LO:HI",
+     "with --claim initial-conditions: the starts in question, a part of the file's box, in decimals or "
+     "fractions such as -1/3:0.5; so --phidot, --y and --ydot. What is demanded of the numbers of collisions "
+     "must then follow from the boxes that this part has something in common with",
+     read_claim},
+    {"--phidot", "A|LO:HI", "the same", read_claim},
+    {"--y", "A|LO:HI", "the same", read_claim},
+    {"--ydot", "A|LO:HI", "the same", read_claim},
+    {"--decided", "SHARE",
+     "with --claim initial-conditions or incoming: demand the exact number of collisions for at least this "
+     "share of the starts in question, from 0 to 1",
+     read_claim},
+    {"--delta", "A|LO:HI", "with --claim adiabatic-...: the delta in question, a part of the file's",
+     read_claim},
+    {"--heights", "A|LO:HI",
+     "the heights in question, a part of the file's (adiabatic-bounce, adiabatic-run)", read_claim},
+    {"--margin", "M", "demand that the claim holds from this margin on, or a smaller one", read_claim},
+    {"--exponent", "E", "the exponent of the margin's power of delta, such as 1/2 (adiabatic-bounce)",
+     read_claim},
+    {"--constant", "C|C1,C2", "demand that the constants are at most these (C1,C2: adiabatic-bounce)",
+     read_claim},
+    {"--attained", "B|B1,B2",
+     "demand states, within the delta, heights and margin in question, that attain at least these",
      read_claim},
     {"--claims", "LIST",
      "a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file (its "
      "name "
      "is relative to the list's folder), a tab, and some of the options above: at least --ratio and a "
-     "bound, or --claim law alone. What follows another tab is a remark, as is a line that begins with #",
+     "bound (of starts, or --decided), --delta and --constant, or --claim law alone. What follows another "
+     "tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); },
      "--ratio --max --min --exactly --gap --gaps --heavy-at-most --inertia --rho --coin --rod-mass --scene "
-     "--claim"},
+     "--claim --phi --phidot --y --ydot --decided --delta --heights --margin --exponent --constant "
+     "--attained"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about all "

@@ -13,9 +13,9 @@ namespace dumbbell_verify {
 
 /// What the command line has asked for so far.
 struct Asked {
-    Options options;    ///< its jobs are the files, without their settings
-    Settings settings;  ///< of each file
-    ClaimWords claim;   ///< what its options say
+    Options options;   ///< its jobs are the files, without their settings
+    Request settings;  ///< of each file
+    ClaimWords claim;  ///< what its options say
     std::string claims;
 };
 

@@ -44,7 +44,7 @@ void require_fitting(const Arguments& given, const Asked& asked) {
 Options parse_options(const std::vector<std::string>& arguments) {
     Asked asked;
     Options& result = asked.options;
-    Settings& settings = asked.settings;
+    Request& settings = asked.settings;
     settings.jobs = std::max(1U, std::thread::hardware_concurrency());
     Arguments given(arguments);
     while (given.next()) {

@@ -1,7 +1,7 @@
 #include "verify/program/sentence.hpp"
 
 #include "verify/core/section.hpp"
-#include "verify/program/claim_options.hpp"
+#include "verify/program/number_options.hpp"
 #include "verify/program/summary.hpp"
 
 namespace dumbbell_verify {
@@ -54,13 +54,6 @@ std::string bounded(const Bounds& all, const Phrases& say) {
     return text;
 }
 
-/// What the demand left out, so that a file that proves less would pass it, too.
-std::string unasked(const Result& result) {
-    std::string left = not_demanded(result.job->settings, result.proof);
-    for (std::size_t at = 0; (at = left.find(',', at)) < left.size(); at += 4) left.replace(at, 1, ", --");
-    return left.empty() ? "" : ". Not demanded: --" + left;
-}
-
 std::string about_collisions(const Result& result) {
     const Collisions& claim = result.proof.claim;
     Bounds all = claim.asked;
@@ -80,15 +73,17 @@ std::string about_collisions(const Result& result) {
     return (bounds.empty() ? "No bound is proved that holds " + where : "Proved: " + where + " " + bounds) +
            known(claim) +
            (result.proof.heavy_once ? "; in every trajectory the heavy mass hits the floor at most once"
-                                    : "") +
-           unasked(result);
+                                    : "");
 }
 
 }  // namespace
 
 std::string sentence(const Result& result) {
-    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); })) return *text;
-    return "  " + about_collisions(result) + ".\n";
+    const std::string names = not_demanded(result.proof, result.job->settings, ", "),
+                      rest = names.empty() ? "" : "  Not demanded: " + names + ".\n";
+    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); }))
+        return *text + rest;
+    return "  " + about_collisions(result) + ".\n" + rest;
 }
 
 }  // namespace dumbbell_verify

@@ -7,6 +7,7 @@
 #include "verify/core/section.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
+#include "verify/program/number_options.hpp"
 #include "verify/program/sentence.hpp"
 
 namespace dumbbell_verify {
@@ -35,13 +36,13 @@ std::string claim_text(const Verified& proof) {
 }
 
 std::string left_out(const Result& result) {
-    const std::string names = not_demanded(result.job->settings, result.proof);
+    const std::string names = not_demanded(result.proof, result.job->settings, ",");
     return names.empty() ? "" : " not-demanded=" + names;
 }
 
 std::string result_text(const Result& result) {
     const Failure& why = result.why;
-    const Settings& settings = result.job->settings;
+    const Request& settings = result.job->settings;
     if (result.is_right())
         return claim_text(result.proof) + " sha256=" + result.proof.digest +
                demand_text(settings, own_demand(settings)) + (settings.together ? "" : left_out(result));

@@ -33,23 +33,8 @@ void name_both(Failure& failure, const Settings& settings, std::string_view scen
     if (!settings.claim.empty() && settings.claim != claim) other("claim", claim, settings.claim);
 }
 
-/// Of a file that is about something else than N*: a bound on N* is not proved by a file about some starts,
-/// so those who ask must mean its box.
-void require_fitting(const Settings& settings, const std::string& claim, bool is_initial) {
-    const Collisions& demand = settings.demand;
-    const bool bounds = demand.ratios || demand.most || demand.least;
-    if (!demand.gap && !demand.gaps_at_most && !demand.rhos && !settings.heavy_once &&
-        (!bounds || (is_initial && !settings.claim.empty())))
-        return;
-    throw Failure{Verdict::unreadable, 0, "usage",
-                  "what is demanded is about the collisions of all trajectories, and this file is about "
-                  "something else: " +
-                      (is_initial ? "to ask about the starts in its box add --claim " + claim
-                                  : "ask with --claim " + claim)};
-}
-
-/// What is left of the file, which has this header.
-Verified read_on(Text& text, const Settings& settings, const Header& header) {
+/// What is left of the file, which has this header. A bound on N* is proved by numbers of collisions only.
+Verified read_on(Text& text, const Request& settings, const Header& header) {
     const std::string& claim = header.claim;
     const bool incoming = claim == "incoming", is_initial = incoming || claim == "initial-conditions";
     if (settings.shares && !is_initial)
@@ -68,26 +53,32 @@ Verified read_on(Text& text, const Settings& settings, const Header& header) {
     const auto invariant = adiabatic::kind_named(claim);
     const bool is_law = header.section == &turning() && claim == "law";
     if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
-    require_fitting(settings, claim, is_initial);
+    const Collisions& demand = settings.demand;
+    const bool bounds = demand.ratios || demand.most || demand.least;
+    if (demand.gap || demand.gaps_at_most || demand.rhos || settings.heavy_once ||
+        (bounds && (settings.claim.empty() || !is_initial)))
+        throw Failure{Verdict::unreadable, 0, "usage",
+                      "what is demanded is about all trajectories, and this file's claim is " + claim +
+                          (is_initial ? ": to ask about its own add --claim " + claim : "")};
     if (is_law) return about(law::proof(text, settings));
-    if (invariant) return about(adiabatic::proof(text, settings, *invariant));
-    return about(starts::proof(text, settings, incoming));
+    if (invariant) return about(adiabatic::proof(text, settings, settings.numbers, *invariant));
+    return about(starts::proof(text, settings, settings.numbers, incoming));
 }
 
 }  // namespace
 
-Verified verify(const std::string& path, const Settings& settings) {
+Verified verify(const std::string& path, const Request& request) {
     Bytes bytes(path);
-    return verify(bytes, settings);
+    return verify(bytes, request);
 }
 
-Verified verify(Source& bytes, const Settings& settings) {
-    Text text(bytes, settings.budget);
+Verified verify(Source& bytes, const Request& request) {
+    Text text(bytes, request.budget);
     const Header header = header_of(text);
     try {
-        return read_on(text, settings, header);
+        return read_on(text, request, header);
     } catch (Failure& failure) {
-        name_both(failure, settings, header.section ? header.section->scene : "dumbbell", header.claim);
+        name_both(failure, request, header.section ? header.section->scene : "dumbbell", header.claim);
         throw;
     }
 }

@@ -5,13 +5,18 @@
 #include <type_traits>
 #include <variant>
 
-#include "verify/adiabatic/claim.hpp"
+#include "verify/adiabatic/demand.hpp"
 #include "verify/core/settings.hpp"
 #include "verify/core/text.hpp"
 #include "verify/law/claim.hpp"
-#include "verify/starts/claim.hpp"
+#include "verify/starts/demand.hpp"
 
 namespace dumbbell_verify {
+
+/// What is asked of a file of any kind.
+struct Request : Settings {
+    starts::Numbers numbers{};  ///< demanded of starts, or of the adiabatic invariant
+};
 
 /// What a file proves: `claim` if it is about numbers of collisions, else what it is about instead.
 struct Verified : Proof {
@@ -39,7 +44,7 @@ struct Verified : Proof {
 /// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
 /// line. With `together` the demand itself is left to the caller, and only files of the kind `collisions` may
 /// be asked for.
-Verified verify(Source& bytes, const Settings& settings);
-Verified verify(const std::string& path, const Settings& settings);
+Verified verify(Source& bytes, const Request& request);
+Verified verify(const std::string& path, const Request& request);
 
 }  // namespace dumbbell_verify

@@ -34,8 +34,6 @@ class Flights : protected Bridge<N> {
                at_most_a(leaf_.chart == contact ? contact_ray() : departure_flight());
     }
 
-    /// Of two enclosures of the same thing.
-    static I meet(const I& a, const I& b) { return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)}; }
     [[nodiscard]] I not_negative(const I& a) const { return {std::max(zero, a.lo), std::max(zero, a.hi)}; }
     /// Of departures, over the near corner (t = 0) or the far one (t = pi).
     [[nodiscard]] I height(const Flight& f, const I& t) const { return f.sine + f.kappa * (f.x + t); }
@@ -47,19 +45,15 @@ class Flights : protected Bridge<N> {
     [[nodiscard]] Wall wall(const Ray& low, const N& z, const std::optional<Contact>& last,
                             const I& kappa) const {
         const Contact first = Base::earliest(low, z);
-        I x(first.x, quarter.hi), sine(std::max(zero, first.sine), one),
-            w(std::max(zero, kappa.lo), first.cosine);
-        if (last) {
-            x.hi = std::min(last->x, quarter.hi);
-            sine.hi = std::min(one, last->sine);
-            w.lo = std::max(w.lo, last->cosine);
-        }
+        const I x = span(first.x, last ? std::min(last->x, quarter.hi) : quarter.hi),
+                sine = span(std::max(zero, first.sine), last ? std::min(one, last->sine) : one),
+                w = span(std::max({zero, kappa.lo, last ? last->cosine : zero}), first.cosine);
         const I ww = square(w), D = meet(ww - I(2) * kappa * w - r, w * (w - I(2) * kappa) - r);
         return {x, sine, w, D, meet(kappa * ww + r * (I(2) * w - kappa), kappa * (ww - r) + I(2) * r * w)};
     }
     /// The slopes of those that return. Precondition: 0 < D, or 0 < top.
     [[nodiscard]] I slope_behind(const Wall& at, const I& kappa) const {
-        I next = at.D.lo > zero ? at.top / at.D : I(div(down, at.top.lo, at.D.hi), one);
+        I next = at.D.lo > zero ? at.top / at.D : I(div(down, at.top.lo, at.D.hi), div(up, one, zero));
         if (at.w.lo > zero) {
             const I A = (at.w - r / at.w) / I(2), p = A - kappa;
             if (p.lo > zero)
@@ -73,8 +67,7 @@ class Flights : protected Bridge<N> {
         I t, rest, sine, E, P;
     };
     [[nodiscard]] Rebound rebound(const I& h, const I& kappa, const N& latest) const {
-        const N last = std::min(latest, half_turn.lo);
-        I t(std::min(first_contact(h.lo, kappa.lo), last), last);
+        I t = span(first_contact(h.lo, kappa.lo), std::min(latest, half_turn.lo));
         SinCos<I> at = over(t);
         I rest = half_turn - t;
         if (!(latest < half_turn.lo))
@@ -197,10 +190,9 @@ class Flights : protected Bridge<N> {
     const I g = is_body_ ? I(bound(down, 1 / (leaf_.box.hi[2] * leaf_.box.hi[3]), zero),
                              bound(up, 1 / (leaf_.box.lo[2] * leaf_.box.lo[3]), zero))
                          : I(1);
-    /// L6 (c), L75: behind the bridge it is out of reach.
+    /// L6 (c), L75: behind the bridge it is out of reach, if Q rho, which is between these, is 1.
     const bool clear_ =
-        !is_body_ || (leaf_.box.lo[2] == leaf_.box.hi[2] && leaf_.box.lo[3] == leaf_.box.hi[3] &&
-                      leaf_.box.lo[2] * leaf_.box.lo[3] == 1);
+        !is_body_ || (leaf_.box.lo[2] * leaf_.box.lo[3] == 1 && leaf_.box.hi[2] * leaf_.box.hi[3] == 1);
 };
 
 }  // namespace dumbbell_verify

@@ -8,8 +8,6 @@
 namespace dumbbell_verify::starts {
 namespace {
 
-constexpr unsigned share_places = 12;
-
 std::string shares_json(const Shares& shares) {
     std::string text;
     for (const Shares::Row& row : shares.rows())
@@ -44,10 +42,9 @@ std::string mean_text(const Shares& shares, const Means& exact) {
            (heavy.empty() ? "" : "  The heavy mass hits the floor with probability " + heavy + ".\n");
 }
 
-/// The name that the header of a file has for an axis.
-std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(axis_names[axis]); }
-
 }  // namespace
+
+std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(axis_names[axis]); }
 
 std::string decimals(const mpq_class& x, bool upward, unsigned places) {
     mpz_class scale, rest, digits;
@@ -59,23 +56,8 @@ std::string decimals(const mpq_class& x, bool upward, unsigned places) {
     return places == 0 ? text : text.insert(text.size() - places, ".");
 }
 
-std::string Claim::missing(const Collisions& demand) const {
-    const mpq_class &lo = box.lo.back(), &hi = box.hi.back();
-    if (demand.ratios && (demand.ratios->first < lo || demand.ratios->second > hi))
-        return covered_part(lo, hi, demand.ratios->first, demand.ratios->second);
-    if (demand.most && (!most || integer(*most) > *demand.most))
-        return "not proved: at most " + demand.most->get_str() + " collisions from the box";
-    if (demand.least && integer(least) < *demand.least)
-        return "not proved: at least " + demand.least->get_str() + " collisions from the box";
-    if (!shares || !incoming) return "";
-    const Interval<double> mean = means(box.lo.back()).all;
-    const bool differ = (std::isfinite(mean.hi) && shares->least_mean > mpq_class(mean.hi)) ||
-                        (shares->open == 0 && shares->most_mean < mpq_class(mean.lo));
-    return differ ? "the mean number of collisions is not that of Theorem 6" : "";
-}
-
 std::string Claim::text() const {
-    std::string result = incoming ? "claim=incoming" : "claim=initial-conditions";
+    std::string result = "claim=" + std::string(kind_name());
     for (std::size_t i = incoming ? 4 : 0; i < axis_names.size(); ++i)
         result += " " + header_name(i) + "=" + to_string(box.lo[i], box.hi[i]);
     return result + " collisions=" + std::to_string(least) + ":" + (most ? std::to_string(*most) : "none") +
@@ -96,17 +78,22 @@ std::string Claim::json() const {
 }
 
 std::string Claim::sentence() const {
-    const std::string all = incoming ? "every trajectory that comes in" : "every start in the box";
+    const auto& [fewest, greatest, share] = asked;
+    const std::string all = incoming         ? "every trajectory that comes in"
+                            : asks_of_part() ? "every start in the demanded part of the box"
+                                             : "every start in the box";
     std::string text = "No bound is proved that holds for " + all;
-    if (most || least > 0)
+    if (greatest || fewest > 0)
         text = "Proved: for " + all + " the dumbbell hits the floor " +
-               (!most           ? "at least " + std::to_string(least)
-                : *most > least ? "from " + std::to_string(least) + " to " + std::to_string(*most)
-                                : std::to_string(least)) +
-               (most.value_or(least) == 1 ? " time" : " times");
-    if (most == least || decided == 0) return text;
+               (!greatest            ? "at least " + std::to_string(fewest)
+                : *greatest > fewest ? "from " + std::to_string(fewest) + " to " + std::to_string(*greatest)
+                                     : std::to_string(fewest)) +
+               (greatest.value_or(fewest) == 1 ? " time" : " times");
+    if (greatest == fewest || (!greatest && fewest == 0 && share == 0)) return text;
     return text + "; the number is known for " +
-           (decided == 1 ? "each" : "at least a share " + decimals(decided, false, share_places) + " of all");
+           (share == 1   ? "each"
+            : share == 0 ? "none"
+                         : "at least a share " + decimals(share, false, share_places) + " of all");
 }
 
 std::string Claim::paragraph() const {

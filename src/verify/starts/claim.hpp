@@ -7,6 +7,7 @@
 
 namespace dumbbell_verify::starts {
 
+inline constexpr unsigned share_places = 12;
 /// x >= 0 with this number of decimals, rounded up or down.
 std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
 
@@ -14,7 +15,9 @@ std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
 inline constexpr std::array<std::string_view, 5> axis_names{"phi", "phidot", "y", "ydot", "q"};
 struct Box {
     std::array<mpq_class, axis_names.size()> lo, hi;
+    friend bool operator==(const Box&, const Box&) = default;
 };
+std::string header_name(std::size_t axis);  ///< that the first lines of a file have for it
 
 /// How likely each number of collisions is (format-initial.md, section 7): the volumes of leaves, in units of
 /// the box's.
@@ -38,28 +41,40 @@ struct Shares {
     [[nodiscard]] std::vector<Row> rows() const;
 };
 
-/// Every regular trajectory that starts in the box has at least `least` and, if it is a number, at most
+/// Every regular trajectory that starts in a box has at least `least` and, if it is a number, at most
 /// `most` collisions; on the share `decided` of the box's volume their exact number is proved.
-struct Claim {
-    static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
-    bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
-    Box box;
+struct Known {
     std::uint64_t least = 0;
     std::optional<std::uint64_t> most;
     mpq_class decided;
-    std::optional<Shares> shares;  ///< if they were asked for
 
-    /// Empty if this proves the bounds and contains the ratios that are demanded, and if the shares have the
-    /// mean that all incoming trajectories have.
-    [[nodiscard]] std::string missing(const Collisions& demand) const;
-    /// No bound is demanded, none holds for all of the box, and no part of it is decided.
+    /// And from `a` to `b` in a part that has this share. Of no part: {UINT64_MAX, 0, 0}.
+    void join(std::uint64_t a, const std::optional<std::uint64_t>& b, const mpq_class& share) {
+        least = std::min(least, a);
+        most = most && b ? std::max(most, b) : std::nullopt;
+        if (a == b) decided += share;
+    }
+};
+
+/// What is known of the file's box.
+struct Claim : Known {
+    static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
+    bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
+    Box box;
+    Box asked_box;                 ///< the one in question
+    Known asked;                   ///< of that
+    std::optional<Shares> shares;  ///< of `box`, if they were asked for
+
+    [[nodiscard]] std::string_view kind_name() const { return incoming ? "incoming" : "initial-conditions"; }
+    [[nodiscard]] bool asks_of_part() const { return asked_box != box; }
+    /// No bound is demanded, none holds for all that is in question, and no part of that is decided.
     [[nodiscard]] bool says_nothing(const Collisions& demand) const {
-        return !demand.most && !demand.least && !most && least == 0 && decided == 0;
+        return !demand.most && !demand.least && !asked.most && asked.least == 0 && asked.decided == 0;
     }
     /// For the verdict: the box, the range of collisions and the share, rounded down.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string json() const;
-    /// What is proved, in English, without its full stop.
+    /// What is proved of the box in question, in English, without its full stop.
     [[nodiscard]] std::string sentence() const;
     /// The sentence, and a line for each row of the shares, with twelve decimals rounded outward.
     [[nodiscard]] std::string paragraph() const;

@@ -16,18 +16,22 @@ constexpr std::size_t most_shares = 20'000;  ///< where they change: the memory 
 
 class ClaimReader : public Reader<Leaf> {
   public:
-    ClaimReader(Text& text, const Settings& settings, bool incoming) : Reader(text, settings) {
+    ClaimReader(Text& text, const Settings& settings, const Numbers& numbers, bool incoming)
+        : Reader(text, settings), numbers_(numbers) {
         claim_.incoming = incoming;
+        claim_.least = UINT64_MAX;
+        claim_.most = 0;
+        claim_.asked = static_cast<const Known&>(claim_);
         if (settings.shares) claim_.shares.emplace();
         for (const auto* name : {"split", "exactly", "between", "open"}) proof_.tallies.push_back({name});
     }
     [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override {
-        return claim_.incoming ? "incoming" : "initial-conditions";
+    [[nodiscard]] std::string_view kind() const override { return claim_.kind_name(); }
+    [[nodiscard]] std::string missing() const override {
+        return starts::missing(claim_, settings_.demand, numbers_);
     }
-    [[nodiscard]] std::string missing() const override { return claim_.missing(settings_.demand); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         return check_leaf(leaf, log);
     }
@@ -55,6 +59,7 @@ class ClaimReader : public Reader<Leaf> {
             leaf_.box.hi[1] = 1;
         }
         claim_.box = leaf_.box;
+        claim_.asked_box = demanded_box(leaf_.box, numbers_, settings_.demand.ratios);
         read_bits(leaf_);
         if (!claim_.incoming) require_motion();
         text_.expect("between", 2);
@@ -90,7 +95,7 @@ class ClaimReader : public Reader<Leaf> {
         if (opcode == open) {
             if (f.size() != 1 || f[0] != "open") text_.reject("opcode", "not a line for this place");
             if (claim_.shares) claim_.shares->open += volume;
-            return;
+            return join(0, std::nullopt, volume);
         }
         const std::size_t numbers = opcode == exactly ? 1 : 2;
         if (f.size() != 1 + numbers && f.size() != 4 + numbers)
@@ -104,7 +109,6 @@ class ClaimReader : public Reader<Leaf> {
         if (opcode == exactly && leaf_.first.has_value() != (leaf_.least > 0))
             text_.reject("syntax", "`exactly` has a window iff its number is not 0");
         if (opcode == between && leaf_.least >= leaf_.most) text_.reject("number", "not a < b");
-        if (opcode == exactly) claim_.decided += volume;
         if (claim_.shares) {
             text_.budget.take(4 * Work::of_box({}, {}, depth), text_.line);
             claim_.shares->add(leaf_.least, leaf_.most, volume);
@@ -112,11 +116,21 @@ class ClaimReader : public Reader<Leaf> {
                 throw Failure{Verdict::limit, text_.line, "limit",
                               "--shares of more than 20,000 different numbers of collisions"};
         }
-        found_least_ = std::min(found_least_, leaf_.least);
-        found_most_ = std::max(found_most_, leaf_.most);
+        join(leaf_.least, leaf_.most, volume);
         const Leaf judged = claim_.incoming ? of_states() : leaf_;
         explain(judged, path);
         take(judged);
+    }
+    /// What the present leaf says, which has this share of the file's box.
+    void join(std::uint64_t least, const std::optional<std::uint64_t>& most, const mpq_class& volume) {
+        claim_.join(least, most, volume);
+        if (!claim_.asks_of_part()) return claim_.asked.join(least, most, volume);
+        const auto& [lo, hi] = leaf_.box;
+        for (std::size_t i = 0; i < lo.size(); ++i)  // some rational numbers of a size like that
+            text_.budget.take(6 * Work::of_halving(lo[i], hi[i]), text_.line);
+        const mpq_class share = share_in(leaf_.box, claim_.asked_box, claim_.box);
+        text_.budget.take(6 * Work::of_halving(share, claim_.asked.decided), text_.line);
+        if (share > 0) claim_.asked.join(least, most, share);
     }
     /// The present leaf, its piece of the section replaced by its states. Up to s = 1 they have no bound:
     /// there nothing but that they fall may be used.
@@ -139,17 +153,15 @@ class ClaimReader : public Reader<Leaf> {
         if (leaf_.least == 0) text_.reject("number", "a first contact and no collision");
     }
     void compare_bounds() {
-        const bool all = proof_.tallies[open].lines == 0;
-        claim_.least = all ? found_least_ : 0;
-        if (all) claim_.most = found_most_;
         if (least_ != claim_.least || most_ != claim_.most)
             throw Failure{Verdict::rejected, bounds_line_, "between",
                           "expected " + std::to_string(claim_.least) + " " +
-                              (all ? std::to_string(found_most_) : "none")};
+                              (claim_.most ? std::to_string(*claim_.most) : "none")};
     }
+    const Numbers& numbers_;
     Claim claim_;
     Leaf leaf_;  ///< the present one; its box is that of the present node
-    std::uint64_t bounds_line_ = 0, least_ = 0, found_least_ = UINT64_MAX, found_most_ = 0;
+    std::uint64_t bounds_line_ = 0, least_ = 0;
     std::optional<std::uint64_t> most_;
 };
 
@@ -175,8 +187,8 @@ Box incoming_states(const Box& piece) {
     return box;
 }
 
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, bool incoming) {
-    ClaimReader reader(text, settings, incoming);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Numbers& numbers, bool incoming) {
+    ClaimReader reader(text, settings, numbers, incoming);
     Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
 }

@@ -5,7 +5,7 @@
 
 #include "verify/core/settings.hpp"
 #include "verify/core/text.hpp"
-#include "verify/starts/claim.hpp"
+#include "verify/starts/demand.hpp"
 
 namespace dumbbell_verify::starts {
 
@@ -39,6 +39,6 @@ Box incoming_states(const Box& piece);
 
 /// Reads on after the line `claim`, for all incoming trajectories or for a box; returns only if all that the
 /// file and the demand say is certified, else throws the Failure of the least line.
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, bool incoming);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Numbers& numbers, bool incoming);
 
 }  // namespace dumbbell_verify::starts

@@ -90,7 +90,7 @@ class Departures : public Rays<N> {
             const I top = I(2) * r_ * w - I(k) * (I(1) - r_ * square(I(w))), d = onward(k, w);
             return D.lo > zero ? top / d : -(top / -d);
         };
-        const I slope(along(ray.slope.hi, at->cosine.lo).lo, along(ray.slope.lo, at->cosine.hi).hi);
+        const I slope = span(along(ray.slope.hi, at->cosine.lo).lo, along(ray.slope.lo, at->cosine.hi).hi);
         const bool back = D.hi < zero;
         const I way = back ? at->x : half_turn - at->x, rise = back ? -slope : slope;
         return Departure{false, r_ * at->sine + rise * way, rise};
@@ -108,8 +108,51 @@ class Departures : public Rays<N> {
         const auto reflected = [&](const N& k, const N& w) {
             return (I(k) * square(I(w)) + I(2) * r_ * w - r_ * k) / divisor(k, w);
         };
-        const I slope(reflected(ray.slope.lo, at->cosine.hi).lo, reflected(ray.slope.hi, at->cosine.lo).hi);
+        const I slope =
+            span(reflected(ray.slope.lo, at->cosine.hi).lo, reflected(ray.slope.hi, at->cosine.lo).hi);
         return Departure{true, at->sine + slope * at->x, slope};
+    }
+
+  protected:
+    /// The contacts with a wall sin x over the corner, for all c + kappa x of these intervals.
+    struct Contacts {
+        I x, sine, cosine;
+    };
+    [[nodiscard]] std::optional<Contacts> contacts(const I& c, const I& kappa) const {
+        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
+        const auto near = [&](const N& height, const N& slope) {
+            N z = zero;
+            guess_root(height, slope, z);
+            return z > zero ? std::min(z, quarter.lo) : zero;
+        };
+        const auto first = this->earliest({c.lo, kappa.lo, r_.lo}, near(c.lo, kappa.lo));
+        const auto last = this->latest({c.hi, kappa.hi, r_.hi}, near(c.hi, kappa.hi));
+        if (!last) return std::nullopt;
+        return Contacts{span(first.x, last->x), span(first.sine, last->sine),
+                        span(last->cosine, first.cosine)};
+    }
+
+    /// L60: the same with a wall up to pi. Of the lowest ray nothing lies before its tangent's root; the
+    /// highest one has a root before a point where sin x > c + kappa x.
+    [[nodiscard]] std::optional<Contacts> bridge_contacts(const I& c, const I& kappa) const {
+        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
+        const N low = near_bridge(c.lo, kappa.lo), high = near_bridge(c.hi, kappa.hi);
+        const auto gap = [&](const N& height, const N& slope, const N& x) {
+            return sin_cos_on(I(x), quarter).sin - I(slope) * x - height;
+        };
+        const auto rate = [&](const N& slope, const N& x) { return sin_cos_on(I(x), quarter).cos - slope; };
+        const I p = rate(kappa.lo, low), p_high = rate(kappa.hi, high);
+        if (!(p.lo > zero && p_high.lo > zero)) return std::nullopt;
+        const N first = std::max(zero, (I(low) - gap(c.lo, kappa.lo, low) / p).lo);
+        const I rest = gap(c.hi, kappa.hi, high), size = I(std::max(-rest.lo, rest.hi)) / p_high;
+        for (const int factor : {2, 8, 64}) {
+            const N last = (I(high) + I(factor) * size).hi;
+            if (!(first <= last && last <= half_turn.lo)) return std::nullopt;
+            if (!(gap(c.hi, kappa.hi, last).lo > zero)) continue;
+            const auto [sine, cosine] = sin_cos_on(I(first, last), quarter);
+            return Contacts{{first, last}, sine, cosine};
+        }
+        return std::nullopt;
     }
 
   private:
@@ -150,45 +193,6 @@ class Departures : public Rays<N> {
                   this->at_least("least <= G", {std::max(zero, c.hi), ray.slope.hi, r_.hi}, integer(least));
     }
 
-    /// The contacts with a wall sin x over the corner, for all c + kappa x of these intervals.
-    struct Contacts {
-        I x, sine, cosine;
-    };
-    [[nodiscard]] std::optional<Contacts> contacts(const I& c, const I& kappa) const {
-        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
-        const auto near = [&](const N& height, const N& slope) {
-            N z = zero;
-            guess_root(height, slope, z);
-            return z > zero ? std::min(z, quarter.lo) : zero;
-        };
-        const auto first = this->earliest({c.lo, kappa.lo, r_.lo}, near(c.lo, kappa.lo));
-        const auto last = this->latest({c.hi, kappa.hi, r_.hi}, near(c.hi, kappa.hi));
-        if (!last || !(first.x <= last->x && last->cosine <= first.cosine)) return std::nullopt;
-        return Contacts{{first.x, last->x}, {first.sine, last->sine}, {last->cosine, first.cosine}};
-    }
-
-    /// L60: the same with a wall up to pi. Of the lowest ray nothing lies before its tangent's root; the
-    /// highest one has a root before a point where sin x > c + kappa x.
-    [[nodiscard]] std::optional<Contacts> bridge_contacts(const I& c, const I& kappa) const {
-        if (!(c.lo > zero && kappa.hi < one)) return std::nullopt;
-        const N low = near_bridge(c.lo, kappa.lo), high = near_bridge(c.hi, kappa.hi);
-        const auto gap = [&](const N& height, const N& slope, const N& x) {
-            return sin_cos_on(I(x), quarter).sin - I(slope) * x - height;
-        };
-        const auto rate = [&](const N& slope, const N& x) { return sin_cos_on(I(x), quarter).cos - slope; };
-        const I p = rate(kappa.lo, low), p_high = rate(kappa.hi, high);
-        if (!(p.lo > zero && p_high.lo > zero)) return std::nullopt;
-        const N first = std::max(zero, (I(low) - gap(c.lo, kappa.lo, low) / p).lo);
-        const I rest = gap(c.hi, kappa.hi, high), size = I(std::max(-rest.lo, rest.hi)) / p_high;
-        for (const int factor : {2, 8, 64}) {
-            const N last = (I(high) + I(factor) * size).hi;
-            if (!(first <= last && last <= half_turn.lo)) return std::nullopt;
-            if (!(gap(c.hi, kappa.hi, last).lo > zero)) continue;
-            const auto [sine, cosine] = sin_cos_on(I(first, last), quarter);
-            return Contacts{{first, last}, sine, cosine};
-        }
-        return std::nullopt;
-    }
     /// Near the least root of sin x = c + kappa x in [0, pi], by Newton's iteration from the left.
     [[nodiscard]] N near_bridge(const N& c, const N& kappa) const {
         N z = zero;

@@ -40,8 +40,8 @@ class FirstReflection : public Departures<N> {
         const auto slope = [&](const N& p, const N& c) {
             return D.lo > zero ? top(p, c) / divisor(p, c) : -(top(p, c) / -divisor(p, c));
         };
-        const I K(slope(x.hi, heavy ? cosine.lo : cosine.hi).lo,
-                  slope(x.lo, heavy ? cosine.hi : cosine.lo).hi);
+        const I K = span(slope(x.hi, heavy ? cosine.lo : cosine.hi).lo,
+                         slope(x.lo, heavy ? cosine.hi : cosine.lo).hi);
         return departure(heavy, angle, heavy ? r * sine : -sine, K, (D.lo > zero) != reversed, none);
     }
 
@@ -54,7 +54,8 @@ class FirstReflection : public Departures<N> {
                                        bool& none) {
         const double humps = to_double(down, angle.lo) / to_double(down, half_turn.lo);
         if (!fact("an angle within reach", std::abs(humps) < most_quarters)) return std::nullopt;
-        const int n = static_cast<int>(std::floor(humps));
+        int n = static_cast<int>(std::floor(humps)) - 1;  // next to a corner doubles are not enough
+        while ((I(n + 1) * half_turn).hi < angle.lo) ++n;
         const I begin = I(n) * half_turn, end = I(n + 1) * half_turn, peak = begin + quarter;
         if (!fact("all contacts on one wall", begin.hi < angle.lo && angle.hi < end.lo)) return std::nullopt;
         if (!heavy) {

@@ -22,7 +22,7 @@ namespace {
 
 using namespace dumbbell_fuzz;
 using dumbbell_verify::Collisions, dumbbell_verify::Failure, dumbbell_verify::Verified,
-    dumbbell_verify::Settings, dumbbell_verify::Verdict;
+    dumbbell_verify::Request, dumbbell_verify::Verdict;
 
 constexpr unsigned most_bits = 128;  ///< more are refused, as by --max-bits: each bit costs time
 
@@ -33,7 +33,7 @@ void must_be_meant(const Failure& failure) {
 }
 
 /// What the verifier makes of a file; nothing if it does not accept it. Other exceptions end the program.
-std::optional<Verified> proof_of(const std::string& bytes, const Settings& settings) {
+std::optional<Verified> proof_of(const std::string& bytes, const Request& settings) {
     static MemoryFile file;
     try {
         return dumbbell_verify::verify(file.holding(bytes), settings);
@@ -45,12 +45,12 @@ std::optional<Verified> proof_of(const std::string& bytes, const Settings& setti
     return std::nullopt;
 }
 
-bool is_accepted(const std::string& bytes, Settings settings, const Collisions& demand) {
+bool is_accepted(const std::string& bytes, Request settings, const Collisions& demand) {
     settings.demand = demand;
     return proof_of(bytes, settings).has_value();
 }
 
-void check_claim(const Verified& proof, const std::string& text, const Settings& settings) {
+void check_claim(const Verified& proof, const std::string& text, const Request& settings) {
     const Collisions& claim = proof.claim;
     static MemoryFile file;
     const auto read = dumbbell::collisions::read_certificate(file.holding(text));
@@ -121,7 +121,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string bytes = text_of(data, size);
     const auto text = plain_text(bytes);
     if (!text || !is_little_work(*text)) return 0;
-    Settings settings;
+    Request settings;
     settings.max_bits = most_bits;
     const std::string kind = value_of(*text, "claim");
     const bool initial = kind == "initial-conditions" || kind == "incoming";

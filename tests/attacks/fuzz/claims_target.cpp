@@ -384,7 +384,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     // Beyond, a leaf is too much work; in the full section it grows with the ratio, not with its root.
     if (claim.q_hi() > (claim.section == Section::turning ? 20'000 : 500)) return 0;
 
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     settings.max_bits = 128;
     settings.scene = name(claim.scene);
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();

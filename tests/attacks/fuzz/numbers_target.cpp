@@ -78,7 +78,7 @@ void check_number(const std::string& text) {
 /// The verifier's own reading of --ratio; nothing if it refuses.
 std::optional<std::pair<mpq_class, mpq_class>> of_verifier(const std::string& text) {
     dumbbell_verify::Arguments words({"--ratio", text});
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     words.next();
     try {
         dumbbell_verify::claim_option(words, settings);

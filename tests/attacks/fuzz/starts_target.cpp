@@ -135,7 +135,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::vector<std::optional<PlacedLeaf>> lines;
     grow(choices, claim.box, choices.below(8), claim.tree, lines);
 
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     settings.max_bits = 128;
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
     try {

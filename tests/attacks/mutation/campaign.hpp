@@ -15,7 +15,7 @@ namespace dumbbell_mutation {
 struct Trial {
     std::string_view kind;
     std::string what, text, stale;
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     bool demand = false;  ///< the base itself, with a claim demanded: accepted iff `proved`
     bool proved = false, fitting = true;
 };

@@ -55,9 +55,9 @@ void with_one_more_and_less(std::set<long>& numbers, long n) {
     numbers.insert({std::max(0L, n - 1), n, n + 1});
 }
 
-dumbbell_verify::Settings settings_of(const Rational& lo, const Rational& hi, const Bounds& bounds,
-                                      const std::string& scene) {
-    dumbbell_verify::Settings settings;
+dumbbell_verify::Request settings_of(const Rational& lo, const Rational& hi, const Bounds& bounds,
+                                     const std::string& scene) {
+    dumbbell_verify::Request settings;
     settings.scene = scene;
     settings.demand.ratios = std::pair(exact(lo), exact(hi));
     if (bounds.most) settings.demand.most = static_cast<std::uint64_t>(*bounds.most);
@@ -141,7 +141,7 @@ std::vector<Demand> demands_of(const dumbbell::adiabatic::Certificate& data) {
     for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
         for (const std::string claim : {"", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
                                         "initial-conditions", "collisions"}) {
-            dumbbell_verify::Settings settings;
+            dumbbell_verify::Request settings;
             settings.scene = scene;
             settings.claim = claim;
             const bool proved =

@@ -10,7 +10,7 @@
 namespace dumbbell_mutation {
 
 struct Demand {
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     std::string what;     ///< as options of dumbbell-verify
     bool proved = false;  ///< by the base
     bool fitting = true;  ///< false: the demand is about another kind of claim, and refused as wrong usage

@@ -25,7 +25,7 @@ void write_file(const std::string& path, const std::string& text) {
     if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-Outcome examine(const std::string& path, const Settings& settings) {
+Outcome examine(const std::string& path, const Request& settings) {
     Outcome result;
     try {
         result.proof = verify(path, settings);

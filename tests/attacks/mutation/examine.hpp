@@ -35,7 +35,7 @@ class Scratch {
     std::string path_;
 };
 
-[[nodiscard]] Outcome examine(const std::string& path, const dumbbell_verify::Settings& settings);
+[[nodiscard]] Outcome examine(const std::string& path, const dumbbell_verify::Request& settings);
 
 /// The program's exit code for a verdict.
 [[nodiscard]] int exit_code(dumbbell_verify::Verdict verdict);

@@ -94,12 +94,12 @@ std::string manifest_text(const std::vector<Entry>& entries) {
     return text;
 }
 
-dumbbell_verify::Settings settings_of(const std::string& options) {
+dumbbell_verify::Request settings_of(const std::string& options) {
     dumbbell_verify::Arguments given(options.empty() ? std::vector<std::string>{} : split(options, ' '));
     dumbbell_verify::ClaimWords words;
     while (given.next())
         if (!claim_option(given, words)) throw std::runtime_error("unknown option " + given.word);
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     state_claim(words, settings);
     return settings;
 }

@@ -29,7 +29,7 @@ struct Entry {
 [[nodiscard]] std::string manifest_text(const std::vector<Entry>& entries);
 
 /// What the options ask for. Ratios are P/Q or LO:HI of these. Throws std::runtime_error for others.
-[[nodiscard]] dumbbell_verify::Settings settings_of(const std::string& options);
+[[nodiscard]] dumbbell_verify::Request settings_of(const std::string& options);
 
 /// What the verifier says, as an entry without options and why.
 [[nodiscard]] Entry entry_of(const Outcome& outcome);

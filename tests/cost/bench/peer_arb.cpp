@@ -1,5 +1,4 @@
-#include <arb.h>
-
+#include "number/flint.hpp"
 #include "peers.hpp"
 
 namespace dumbbell_bench {

@@ -20,6 +20,7 @@ TEST_CASE("certify --coin proves 4, and is --scene body --rho 1 --inertia 4") {
     CHECK(coin.code == 0);
     CHECK_THAT(coin.out, Contains("Proved: at Q 4, rho 1 no motion of the body in a plane, without a corner, "
                                   "hits the floor more than 4 times, and some motion hits it 4 times."));
+    CHECK_THAT(coin.out, Contains("dumbbell verify --coin --exactly 4 coin.dbc\n"));
     REQUIRE(dumbbell({"certify", "--scene", "body", "--rho", "1", "--inertia", "4", "--out", "same.dbc"},
                      folder.path())
                 .code == 0);
@@ -35,6 +36,24 @@ TEST_CASE("a rod's mass is converted exactly, and --json says which body it is")
     CHECK(json.at("ratio").at("lo") == "12132363/1248521");
     CHECK(json.at("pieces").at(0).at("upper") == 5);
     CHECK(json.at("pieces").at(0).at("lower") == 5);
+    const TemporaryFolder folder;
+    CHECK_THAT(dumbbell({"certify", "10", "--rod-mass", "0.01", "--out", "rod.dbc"}, folder.path()).out,
+               Contains("dumbbell verify --ratio 10 --rod-mass 1/100 --exactly 5 rod.dbc\n"));
+    CHECK_THAT(
+        dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "many.dbc"}, folder.path()).out,
+        Contains("dumbbell verify --rho 1 --inertia 2:5 --max 4 --min 3 --gap 4.5e-7 many.dbc\n"));
+}
+
+TEST_CASE("what is said of a body names no option that bodies do not have") {
+    const Outcome open = dumbbell({"certify", "--rho", "1/2", "--inertia", "9", "--budget", "0s"});
+    CHECK(open.code == 3);
+    CHECK(open.err == "dumbbell: not decided: allow more time (--budget)\n");
+    CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
+               Contains("Q = 1e40 is beyond 10^36, the greatest that is tried\n"));
+    CHECK_THAT(refused_body({"--rho", "1/2:2", "--inertia", "9"}), Contains("--rho is d2/d1"));
+    CHECK_THAT(refused_body({"--rho", "3/4", "--inertia", "1/2:2"}),
+               Contains("inertia times rho is at least 1"));
+    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--list is for mass ratios"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {
@@ -70,13 +89,13 @@ TEST_CASE("a page shows what is about bodies, and other pictures and join refuse
     REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
                 .code == 0);
     for (const Words& words : {Words{"plot", "staircase", "symmetric.dbc", "--out", "x.svg"},
-                               Words{"join", "symmetric.dbc", "symmetric.dbc", "--out", "x.dbc"}}) {
+                               Words{"join", "symmetric.dbc", "--range", "2:5", "--out", "x.dbc"}}) {
         const Outcome result = dumbbell(words, folder.path());
         CHECK(result.code == 2);
         CHECK_THAT(result.err, Contains("is about rigid bodies"));
     }
     CHECK(dumbbell({"report", "symmetric.dbc", "--out", "x.html"}, folder.path()).code == 0);
     CHECK_THAT(contents(folder / "x.html"),
-               Contains("--scene body --ratio 2:5 --rho 1") && Contains("\"symmetric\":true"));
+               Contains("--rho 1 --inertia 2:5") && Contains("\"symmetric\":true"));
     CHECK(folder.names() == Words{"symmetric.dbc", "x.html"});
 }

@@ -165,6 +165,27 @@ TEST_CASE(
     CHECK(verifier({"--max-bits", "2080", "--ratio", ratio, "--exactly", "3", path}).code == 0);
 }
 
+TEST_CASE(
+    "the bounds of a critical ratio with as many digits as there are are mass ratios, and are decided") {
+    const TemporaryFolder folder;
+    const auto json = nlohmann::json::parse(dumbbell({"critical", "4", "--digits", "1000", "--json"}).out);
+    for (const auto& [end, n] : {std::pair("lo", "3"), std::pair("hi", "4")}) {
+        const std::string ratio = json.at("ratios").at(0).at(end), path = certificate(folder, ratio);
+        CHECK(verifier({"--max-bits", "4096", "--ratio", ratio, "--exactly", n, path}).code == 0);
+        CHECK(dumbbell({"law", "--ratio", ratio}).code == 3);
+        const std::string fraction =
+            ratio.substr(0, 1) + ratio.substr(2) + "/1" + std::string(ratio.size() - 2, '0');
+        CHECK(contents(certificate(folder, fraction)) == contents(path));
+    }
+    // The greatest ratio of the law, and next to it.
+    for (const std::string& ratio :
+         {"1" + std::string(1000, '0'), std::string(1001, '9') + "/11", "0." + std::string(999, '0') + "1"}) {
+        CHECK(dumbbell({"law", "--ratio", ratio}).code == 0);
+    }
+    CHECK_THAT(refused({"certify", "1." + std::string(1500, '1')}),
+               Contains("too long for a line of a certificate"));
+}
+
 TEST_CASE("gaps may be narrower than doubles are") {
     const TemporaryFolder folder;
     for (const char* gap : {"1e-15", "1e-20", "1e-40", "1e-70"}) {

@@ -38,6 +38,9 @@ Outcome join(const TemporaryFolder& folder, Words files, const Words& options = 
              const std::string& out = "whole.dbc") {
     files.insert(files.begin(), "join");
     files.insert(files.end(), {"--out", out});
+    if (std::ranges::find(options, "--range") == options.end()) {
+        files.insert(files.end(), {"--range", out.ends_with(".tsv") ? "3:40" : "1:300"});
+    }
     files.insert(files.end(), options.begin(), options.end());
     return dumbbell(files, folder.path());
 }
@@ -104,17 +107,17 @@ TEST_CASE("a missing part is named with the command that makes it") {
     const std::string inside = not_joined(folder, {parts[0], parts[3]}, {"--gap", "1e-6"});
     CHECK_THAT(inside, StartsWith("dumbbell: missing: the mass ratios ") &&
                            Contains("to make them: dumbbell certify ") &&
-                           Contains(" --gap 1e-6 --out FILE\n"));
+                           Contains(" --gap 1e-6 --out missing-1.dbc\n"));
     CHECK(count_lines(inside) == 1);
-    // The command closes the hole.
-    const std::size_t at = inside.find("dumbbell certify ");
-    const std::string range = inside.substr(at + 17, inside.find(" --gap") - at - 17);
-    REQUIRE(dumbbell({"certify", range, "--out", "new.dbc"}, folder.path()).code == 0);
-    CHECK(join(folder, {parts[0], "new.dbc", parts[3]}).code == 0);
+    // The command closes the hole, as it is, and without --gap is the same.
+    CHECK(not_joined(folder, {parts[0], parts[3]}) == inside);
+    const std::string command = inside.substr(inside.find("dumbbell certify ") + 9);
+    REQUIRE(run({"sh", "-c", DUMBBELL_BIN " " + command}, folder.path()).code == 0);
+    CHECK(join(folder, {parts[0], "missing-1.dbc", parts[3]}).code == 0);
 
-    CHECK(join(folder, {parts[0], parts[1], parts[2]}, {}, "less.dbc").code == 0);
-    const std::string at_end = not_joined(folder, {parts[0], parts[1], parts[2]}, {"--range", "1:300"});
-    CHECK_THAT(at_end, Contains("missing: the mass ratios ") && Contains(":300 --gap REL --out FILE"));
+    const std::string at_end = not_joined(folder, {parts[0], parts[1], parts[2]});
+    CHECK_THAT(at_end,
+               Contains("missing: the mass ratios ") && Contains(":300 --gap 1e-6 --out missing-2.dbc\n"));
     const std::string ends = not_joined(folder, {parts[1], parts[2]}, {"--range", "1:300"});
     CHECK(count_lines(ends) == 2);
     CHECK_THAT(not_joined(folder, parts, {"--range", "1:200"}), Contains("reaches beyond --range"));
@@ -124,7 +127,7 @@ TEST_CASE("a wrong part is named, with the command that makes it again, and noth
     const TemporaryFolder folder;
     const Words parts = made_parts(folder, 3);
     const std::string file = folder / parts[1], good = contents(file);
-    const std::string again = " --gap REL --out " + parts[1] + "\n";
+    const std::string again = " --gap 1e-6 --out " + parts[1] + "\n";
 
     SECTION("one leaf claims fewer collisions than there are") {
         std::string text = good;
@@ -165,7 +168,7 @@ TEST_CASE("a wrong part is named, with the command that makes it again, and noth
         for (const std::string& part : parts) {
             write_file(folder / part, "garbage\n");
         }
-        CHECK(count_lines(not_joined(folder, parts)) == 3);
+        CHECK(count_lines(not_joined(folder, parts)) == 4);
     }
 }
 
@@ -178,7 +181,7 @@ TEST_CASE("a part of another range, twice, or overlapping, is refused") {
     CHECK_THAT(not_joined(folder, {parts[0], parts[1], "more.dbc"}),
                Contains("'part-1.dbc' and 'more.dbc' overlap"));
     REQUIRE(dumbbell({"certify", "400:410", "--out", "far.dbc"}, folder.path()).code == 0);
-    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "far.dbc"}),
+    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "far.dbc"}, {"--range", "1:410"}),
                Contains("missing: the mass ratios 300 to 400;"));
 }
 
@@ -207,7 +210,7 @@ TEST_CASE("parts of a model wedge, and of the full section, are joined") {
         const bool is_wedge = options[0] == "--scene";
         const char* range = is_wedge ? "1:300" : "1:20";
         const Words parts = made_parts(folder, 2, options, range);
-        REQUIRE(join(folder, parts).code == 0);
+        REQUIRE(join(folder, parts, {"--range", range}).code == 0);
         const std::string scene = is_wedge ? options[1] : "dumbbell";
         CHECK(verifier({"--scene", scene, "--ratio", range, folder / "whole.dbc"}).code == 0);
     }
@@ -243,10 +246,10 @@ TEST_CASE("the tables of a range of critical ratios are joined to the table of o
     CHECK(contents(folder / "whole.tsv") == contents(folder / "one.tsv"));
 
     const std::string missing = not_joined(folder, {parts[0], parts[2]}, {}, "whole.tsv");
-    CHECK_THAT(missing,
-               Contains("missing: the critical ratios for N = ") && Contains(" --digits 20 --out FILE"));
+    CHECK_THAT(missing, Contains("missing: the critical ratios for N = ") &&
+                            Contains(" --digits 20 --out missing-1.tsv\n"));
     CHECK_THAT(not_joined(folder, parts, {"--range", "3:41"}, "whole.tsv"),
-               Contains("dumbbell critical 41:41 --digits 20 --out FILE"));
+               Contains("dumbbell critical 41:41 --digits 20 --out missing-1.tsv"));
     CHECK_THAT(not_joined(folder, {parts[0], parts[1], parts[1], parts[2]}, {}, "whole.tsv"),
                Contains("overlap"));
     CHECK_THAT(not_joined(folder, parts, {}, "whole.dbc"), Contains("the name of a table ends in .tsv"));
@@ -280,9 +283,9 @@ TEST_CASE("what is open in a table is joined only with --open") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"critical", "3:6", "--out", folder / "a.tsv"}).code == 0);
     REQUIRE(dumbbell({"critical", "7:9", "--budget", "0s", "--out", folder / "b.tsv"}).code == 3);
-    CHECK(join(folder, {"a.tsv", "b.tsv"}, {}, "whole.tsv").code == 3);
+    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--range", "3:9"}, "whole.tsv").code == 3);
     CHECK_FALSE(std::filesystem::exists(folder / "whole.tsv"));
-    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--open"}, "whole.tsv").code == 3);
+    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--open", "--range", "3:9"}, "whole.tsv").code == 3);
     CHECK_THAT(contents(folder / "whole.tsv"), Contains("9\topen\t-\t-\t"));
 }
 
@@ -297,13 +300,18 @@ TEST_CASE("an input is never replaced, and what is joined can go to the standard
     CHECK_THAT(printed.out, StartsWith("dumbbell-certificate 1\n"));
     CHECK_THAT(printed.err, StartsWith("2 parts verified, together the mass ratios 1 to 300: sha256 "));
     CHECK_THAT(join(folder, parts, {}, "whole.tsv").err, Contains("the name of a certificate ends in .dbc"));
+    std::filesystem::copy_file(folder / parts[1], folder / "-");
+    CHECK_THAT(not_joined(folder, {parts[0], "-"}), Contains("none can be -, the standard input"));
+    CHECK(join(folder, {parts[0], "./-"}).code == 0);
+    CHECK_THAT(refused({"join", "x.dbc", "--out", "y.dbc"}), Contains("--range is required"));
 }
 
 TEST_CASE("a signal ends join and its verifiers, and nothing is written") {
     const TemporaryFolder folder;
     const std::string stairs = DUMBBELL_PROJECT "/certificates/stairs-1-1e6.dbc.gz";
     for (const int signal : {SIGINT, SIGTERM}) {
-        Process process(with_program({"join", stairs, "--out", "whole.dbc"}), folder.path());
+        Process process(with_program({"join", stairs, "--range", "1:1e6", "--out", "whole.dbc"}),
+                        folder.path());
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         process.send(signal);
         const Outcome outcome = process.wait();

@@ -33,8 +33,10 @@ std::string type_of(const OrderedJson& value) {
                                        : "object";
 }
 
-// Objects whose names are words of the certificate: the kinds of its lines.
-bool is_tally(const std::string& path) { return path == "leaves" || path == "coverage"; }
+// Objects whose names are words of the certificate, the kinds of its lines, or options.
+bool is_tally(const std::string& path) {
+    return path == "leaves" || path == "coverage" || path == "demand.numbers";
+}
 
 // The fields of an object and of all that is in it. Elements of a list are objects, or belong to its meaning.
 void collect(const OrderedJson& object, const std::string& before, Fields& fields) {
@@ -172,8 +174,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"critical", "3:12", "--out", "ratios.tsv"}, folder.path()).code == 0);
-    check_documented("join", printed_by({{"join", "stairs.dbc", "--out", "whole.dbc"},
-                                         {"join", "ratios.tsv", "--out", "whole.tsv"}},
+    check_documented("join", printed_by({{"join", "stairs.dbc", "--range", "2:12", "--out", "whole.dbc"},
+                                         {"join", "ratios.tsv", "--range", "3:12", "--out", "whole.tsv"}},
                                         folder));
 }
 
@@ -248,6 +250,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
              {"--ratio", "10", "--exactly", "4", "ten.dbc"},
              {"--scene", "body", "--rho", "1", "coin.dbc"},
              {"--shares", "box.dbc"},
+             {"--claim", "initial-conditions", "--y", "1.5", "box.dbc"},
              {"--shares", "incoming.dbc"}}) {
         words = options;
         words.insert(words.begin(), {"verify", "--json"});

@@ -40,6 +40,10 @@ Json without(Json json, const Words& fields) {
     return json;
 }
 
+const std::string not_complete =
+    "NOT COMPLETE: lines of the list have no claim here; the same command goes on (dumbbell " DUMBBELL_VERSION
+    " certify --list --scene dumbbell --section turning --gap 1/1000000)\n";
+
 const Words falling_start{"--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
 
 }  // namespace
@@ -63,6 +67,27 @@ TEST_CASE("comments, empty lines, a heading, further columns, quotes and foreign
                             "4\t10\t10/1\t10\t10/1\t10\t4\t4\t\n"
                             "5\t20\t20/1\t20\t20/1\t20\t5\t5\t\n"
                             "6\t30\t30/1\t30\t30/1\t30\t6\t6\t\n");
+}
+
+TEST_CASE("a column in quotes is one column, and of a number of another spelling no part is taken for one") {
+    const std::vector<std::string> wrong{
+        "\"4,6\",x", "\"1,000\"", "\"1;5\"", "\"4\t6\"",  "4,6",        "4,6;10", "1,000.5\tx", "1,000,000",
+        "1 000",     "1'000",     "=\"10\"", "=\"10,5\"", "+10",        "10%",    "\u221210",   "1\u00a0000",
+        "10,x;5",    "\"10",      "10,\"a",  ",10",       "\"1\"\"0\"", "\"10\"5"};
+    for (const std::string& line : wrong) {
+        CAPTURE(line);
+        const Outcome result = listed(line + "\n10,y\n");
+        CHECK(result.code == 2);
+        CHECK_THAT(result.err, Contains("bad: 1 of 2 lines; the first is line 1: "));
+        CHECK_THAT(result.out, Contains("\n2\t10\t10/1\t"));
+    }
+    const std::string ten = "\t10\t10/1\t10\t10/1\t10\t4\t4\t\n";
+    CHECK(listed(" \"10\" ,\"a, b # \"\"c\"\";\"\n10;4,5\n10, 4\n\"10\",4\n").out ==
+          heading + "1" + ten + "2" + ten + "3" + ten + "4" + ten);
+    // Under a heading with as many columns a comma between digits separates, as it does in every CSV.
+    const Outcome headed = listed("q,N\n10,4\n10,4,6\n");
+    CHECK(headed.out.find("2" + ten) == heading.size());
+    CHECK_THAT(headed.out, Contains("\n3\t10,4,6\t\t\t\t\t\t\tone number or two columns?"));
 }
 
 TEST_CASE("bad lines are named by number and do not stop the others, but with --strict the first one does") {
@@ -148,14 +173,18 @@ TEST_CASE("with --out a folder keeps the certificates, and the verifier takes it
     CHECK(result.code == 2);
     CHECK(run({"ls", folder / "proofs"}).out == "000001.dbc\n000003.dbc\n000004.dbc\nclaims.tsv\n");
     CHECK(contents(folder / "proofs/claims.tsv") ==
-          "000001.dbc\t--ratio 10/1:10/1 --min 4 --max 4\n"
-          "000003.dbc\t--ratio 10/1:20/1 --min 4 --max 5\n"
-          "000004.dbc\t--ratio 20/1:30/1 --min 5 --max 6\n");
+          not_complete +
+              "000001.dbc\t--ratio 10 --exactly 4\n"
+              "000003.dbc\t--ratio 10:20 --max 5 --min 4 --gap 9.16e-7\n"
+              "000004.dbc\t--ratio 20:30 --max 6 --min 5 --gap 9.05e-7\n");
     const auto lines = json_lines(result);
     CHECK(lines[0].at("out") == "proofs/000001.dbc");
     CHECK(last_line(contents(folder / "proofs/000001.dbc")) ==
           "sha256 " + lines[0].at("sha256").get<std::string>());
-    CHECK(verifier({"--claims", "proofs/claims.tsv"}, folder.path()).code == 0);
+    const Outcome refused = verifier({"--claims", "proofs/claims.tsv"}, folder.path());
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err,
+               Contains("claims.tsv:1: ") && Contains("not `NOT COMPLETE: lines of the list have no claim"));
     CHECK(verifier({"--together", "--ratio", "10:30", "--max", "6", "proofs/000003.dbc", "proofs/000004.dbc"},
                    folder.path())
               .code == 0);
@@ -169,7 +198,38 @@ TEST_CASE("claims name the scene, and an open certificate claims nothing") {
     CHECK(dumbbell({"certify", "--list", "list", "--out", "a", "--scene", "wedge"}, folder.path()).code == 0);
     CHECK(verifier({"--claims", "a/claims.tsv"}, folder.path()).code == 0);
     CHECK(dumbbell({"certify", "--list", "list", "--out", "b", "--budget", "0s"}, folder.path()).code == 3);
-    CHECK(run({"ls", folder / "b"}).out == "000001.dbc\n");
+    CHECK(contents(folder / "b/claims.tsv") == not_complete);
+}
+
+TEST_CASE("a list that was killed, or had a bad line, goes on with what is missing, and ends as in one go") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\n20:30\n40\n50\n");
+    const Words command{"certify", "--list", "list", "--out", "proofs"};
+    const Outcome once = dumbbell({"certify", "--list", "list", "--out", "once"}, folder.path());
+    REQUIRE(once.code == 0);
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const int writer = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+    REQUIRE(::write(writer, "10\n20:30\n40\n", 12) == 12);
+    Process process(with_program({"certify", "--list", "pipe", "--out", "proofs"}), folder.path());
+    CHECK(process.until([&] { return std::filesystem::exists(folder / "proofs/000003.dbc"); }));
+    CHECK_THAT(dumbbell(command, folder.path()).err, Contains("'proofs' is in use by another run"));
+    process.kill();
+    CHECK(process.wait().signal == SIGKILL);
+    REQUIRE(::close(writer) == 0);
+    CHECK(verifier({"--claims", "proofs/claims.tsv"}, folder.path()).code == 2);
+    // What is whole is not proved again, even if it says what is not true: that is for the verifier to find.
+    const std::string kept = contents(folder / "proofs/000001.dbc"), third = folder / "proofs/000003.dbc";
+    write_sealed(folder / "proofs/000001.dbc",
+                 replaced(replaced(kept, "upper 4", "upper 5"), "lower 4", "lower 5"));
+    write_file(third, contents(third).substr(0, 200));
+    CHECK_THAT(dumbbell({"certify", "--list", "list", "--out", "proofs", "--gap", "1e-7"}, folder.path()).err,
+               Contains("'proofs' has files"));
+    std::filesystem::copy(folder / "proofs", folder / "again");
+    CHECK_THAT(dumbbell({"certify", "--list", "list", "--out", "again"}, folder.path()).out,
+               StartsWith(heading + "1\t10\t10/1\t10\t10/1\t10\t5\t5\t\n"));
+    write_file(folder / "proofs/000001.dbc", kept);
+    CHECK(dumbbell(command, folder.path()).out == once.out);
+    CHECK(run({"diff", "-r", folder / "once", folder / "proofs"}).code == 0);
 }
 
 TEST_CASE("trace --subdivide keeps its certificates in the same way") {
@@ -210,12 +270,14 @@ TEST_CASE("answers come while the list does, and a signal ends the wait for its 
         REQUIRE(::write(writer, "10\n20", 5) == 5);
         Process process(with_program({"certify", "--list", "list", "--out", "proofs", "--jobs", "2"}),
                         folder.path());
-        CHECK(process.until([&] { return std::filesystem::exists(folder / "proofs/claims.tsv"); }));
+        CHECK(process.until([&] { return std::filesystem::exists(folder / "proofs/000001.dbc"); }));
         process.send(signal);
         const Outcome result = process.wait();
         CHECK(result.signal == signal);
         CHECK_THAT(result.out, StartsWith(heading + "1\t10\t"));
         CHECK_THAT(result.err, Contains("what is printed is about the lines up to 1"));
+        CHECK(contents(folder / "proofs/claims.tsv") ==
+              not_complete + "000001.dbc\t--ratio 10 --exactly 4\n");
         REQUIRE(::close(writer) == 0);
         std::filesystem::remove_all(folder / "proofs");
     }

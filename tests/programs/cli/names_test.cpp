@@ -48,7 +48,7 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out") 
         {"critical", "3:4", "--out", hostile + ".tsv"},
         {"critical", "3:4", "--json", "--out", hostile + ".tsv"},
         {"critical", "3:4", "--part", hostile},
-        {"join", stairs, stairs, "--out", hostile + "j.dbc"},
+        {"join", stairs, stairs, "--range", "1:3", "--out", hostile + "j.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--out", hostile + "a.dbc"},
         {"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1", "--json", "--out", hostile + "a.dbc"},
         {"law", hostile},
@@ -102,7 +102,9 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
                                          "--ydot", "-1", "--subdivide", "--out=" + file},
                                         folder.path());
         REQUIRE(traced.code == 0);
-        CHECK(pasted(traced.out, "Check it:    ", folder.path()).code == 0);
+        const Outcome checked = pasted(traced.out, "Check it:    ", folder.path());
+        CHECK(checked.code == 0);
+        CHECK_THAT(checked.out, Contains(" demanded-ydot=-1/1:-1/1") && !Contains("not-demanded="));
         const Outcome precise =
             dumbbell({"trace", "10", "--phi", "1:1.001", "--phidot", "1:1.001", "--y", "2", "--ydot=-1",
                       "--subdivide", "--max-boxes", "8", "--digits", "1000", "--out=" + file},

@@ -146,7 +146,8 @@ TEST_CASE("the output - has the data alone, and what is said goes to stderr") {
                    Contains("give --out a file name"));
     }
     const std::string stairs = certificate(folder, "1:20");
-    for (const Words& words : {Words{"plot", "staircase", stairs}, Words{"report", stairs}}) {
+    for (const Words& words :
+         {Words{"plot", "staircase", stairs}, Words{"report", stairs, "--no-verifier"}}) {
         const std::string file = folder / (words[0] == "plot" ? "x.svg" : "x.html");
         REQUIRE(dumbbell(with(words, {"--out", file})).code == 0);
         const Outcome streamed = dumbbell(with(words, {"--out", "-"}));

@@ -68,21 +68,6 @@ inline void write_sealed(const std::string& path, std::string text) {
     write_file(path, text + "sha256 " + run({"sha256sum", path}).out.substr(0, 64) + "\n");
 }
 
-// A certificate, but for its last lines, that says nothing about many mass ratios: it is long to read, and
-// nothing else.
-inline std::string many_open_pieces(std::size_t pieces) {
-    const std::string number = std::to_string(pieces);
-    std::string text =
-        "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection turning\n"
-        "claim collisions\nratio 1/1 " +
-        std::to_string(pieces + 1) + "/1\npieces " + number + "\n";
-    for (std::size_t i = 1; i <= pieces; ++i) {
-        text += "piece " + std::to_string(i) + "/1 " + std::to_string(i + 1) +
-                "/1\nbits 53\nupper none\nlower 0\n";
-    }
-    return text;
-}
-
 inline std::string last_line(const std::string& text) {
     if (text.empty() || text.back() != '\n') {
         throw std::runtime_error("no last line: " + text);

@@ -33,3 +33,26 @@ TEST_CASE("both programs wait for a standard input that says it has nothing yet"
                                     "sys.argv[1:])' " DUMBBELL_VERIFY_BIN " --claims -"});
     CHECK(listed.code == 0);
 }
+
+TEST_CASE("a packed file is one, however few of its bytes a pipe has at first") {
+    const std::string packed = DUMBBELL_PROJECT "/certificates/full-100.dbc.gz";
+    const Outcome result = run(
+        {"sh", "-c", "(printf '\\037'; sleep 0.3; tail -c +2 " + packed + ") | " DUMBBELL_VERIFY_BIN " -"});
+    CAPTURE(result.out);
+    CHECK(result.code == 0);
+}
+
+TEST_CASE("the certificates of a list that is an open file are looked for in the current folder") {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(ten, folder / "ten.dbc");
+    write_file(folder / "list", "ten.dbc\t--ratio 10 --exactly 4\n");
+    for (const std::string& name : Words{"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"}) {
+        CAPTURE(name);
+        const std::string command = DUMBBELL_VERIFY_BIN " --claims " + name;
+        CHECK(run({"sh", "-c", command + " < list"}, folder.path()).code == 0);
+        CHECK(run({"sh", "-c", "cat list | " + command}, folder.path()).code == 0);
+    }
+    std::filesystem::create_directory(folder / "below");
+    std::filesystem::create_symlink("/dev/stdin", folder / "below/link");
+    CHECK(run({"sh", "-c", DUMBBELL_VERIFY_BIN " --claims below/link < list"}, folder.path()).code == 0);
+}

@@ -8,10 +8,11 @@ namespace {
 
 const Words long_proof{"certify", "1:100000", "--gap", "1e-14", "--out", "stairs.dbc"};
 
-/// Sends the signal once the job has had a third of a second of the processor.
+/// Sends the signal once the job has had a tenth of a second of the processor: it takes ten times as long, or
+/// more.
 Outcome stopped(const Words& arguments, int signal, const TemporaryFolder& folder) {
     Process process(with_program(arguments), folder.path());
-    process.until([&] { return process.cpu_seconds() > 0.3; });
+    process.until([&] { return process.cpu_seconds() > 0.1; });
     process.send(signal);
     return process.wait();
 }
@@ -56,13 +57,13 @@ TEST_CASE("a range that is stopped says what is kept, and the same command goes 
 TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept") {
     const TemporaryFolder folder;
     for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
-             {{"certify", "1:1000000", "--gap", "1e-9"}, "with --out FILE they are kept"},
+             {{"certify", "1:100000000", "--gap", "1e-9"}, "with --out FILE they are kept"},
              {{"certify", "1e100", "--out", "one.dbc"}, "nothing is kept of a single ratio"},
              {{"critical", "20000", "--digits", "200"}, "nothing is kept"},
              {{"trace", "100", "--phi", "0:6", "--phidot", "-1:1", "--y", "2", "--ydot", "-1", "--subdivide",
                "--max-boxes", "10000000", "--out", "box.dbc"},
               "nothing is kept; with --budget TIME"},
-             {{"trace", "1e6", "--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2", "--digits",
+             {{"trace", "1e8", "--phi", "1/3", "--phidot", "100", "--y", "3", "--ydot", "-1/200", "--digits",
                "10000"},
               "nothing is kept of the "},
              {{"law", "--prove", "--out", "law.dbc"}, "not proved; no certificate is written"},
@@ -80,7 +81,7 @@ TEST_CASE("without a file, and for a single ratio, a stopped run says that nothi
 
 TEST_CASE("a range that is stopped while it looks for its steps says what an earlier run has kept") {
     const TemporaryFolder folder;
-    const Words slow_steps{"certify", "1:400000", "--gap", "1e-14", "--jobs", "1", "--out", "stairs.dbc"};
+    const Words slow_steps{"certify", "1:4000000", "--gap", "1e-14", "--jobs", "1", "--out", "stairs.dbc"};
     REQUIRE(stopped_range(SIGINT, folder, slow_steps).signal == SIGINT);
     const Outcome again = stopped(slow_steps, SIGINT, folder);
     CAPTURE(again.err);

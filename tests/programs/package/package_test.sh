@@ -2,8 +2,8 @@
 # package_test.sh BUILD_FOLDER: installs what was built there, and uses it from another project as its CI would:
 # find_package(dumbbell), certificates that are right, tampered with or too weak, wrong calls, and the libraries.
 set -euo pipefail
-here=$(cd -- "$(dirname -- "$0")" && pwd)
-root=$(cd -- "$here/../../.." && pwd)
+here=$(dirname -- "$(readlink -f -- "$0")")
+root=$(readlink -f -- "$here/../../..")
 build=$1
 source "$here/expect.sh"
 export CMAKE_GENERATOR=Ninja # and not make, which need not be there
@@ -30,6 +30,8 @@ expect "no link in a packaged page is dead" is "$code" 0
 expect "a link to what is packaged stays" grep -q '](docs/10-law.md)' "$pages/README.md"
 run "$prefix/bin/dumbbell" verify --ratio 10 --exactly 4 "$prefix/share/dumbbell/certificates/q-10.dbc"
 expect "the installed program finds its verifier" is "$code" 0
+run "$here/search_paths" "$prefix"
+expect "no program looks for its libraries in the current folder" is "$code" 0
 
 # configure [LINE]...: the project that the docs show, or one of these lines.
 configure() {

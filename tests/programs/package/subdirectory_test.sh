@@ -2,8 +2,8 @@
 # subdirectory_test.sh: another project takes this one in by add_subdirectory(), and names its libraries as it does when
 # they are installed. Its own folders stay its own.
 set -euo pipefail
-here=$(cd -- "$(dirname -- "$0")" && pwd)
-root=$(cd -- "$here/../../.." && pwd)
+here=$(dirname -- "$(readlink -f -- "$0")")
+root=$(readlink -f -- "$here/../../..")
 source "$here/expect.sh"
 export CMAKE_GENERATOR=Ninja
 

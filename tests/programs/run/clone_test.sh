@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # clone_test.sh: a clone has every byte of this tree, whatever its owner tells git about the ends of lines.
 set -euo pipefail
-root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
+root=$(readlink -f -- "$(dirname -- "$0")/../../..")
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 export HOME=$scratch

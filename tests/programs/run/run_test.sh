@@ -3,7 +3,7 @@
 # and exit code pass through. Works in a scratch project next to copies of the real scripts.
 set -euo pipefail
 
-source_root=$(cd -- "$(dirname -- "$0")/../../.." && pwd)
+source_root=$(readlink -f -- "$(dirname -- "$0")/../../..")
 source "$source_root/tests/programs/package/expect.sh"
 project="$scratch/a project" # a path with a space
 fake=$scratch/fake
@@ -190,6 +190,34 @@ expect "test: no tests is a failure" test "$code" -ne 0
 run_in "$scratch/elsewhere" "$project/run" --version
 expect "a folder with tests keeps them" grep -qx BUILD_TESTING:BOOL=ON "$project/build/CMakeCache.txt"
 expect "a folder with tests: nothing to do, silent" is "$err" ""
+
+# CI, where everything else only says how it was called: the second time a test is run is what counts, and so is a failure of
+# anything that is no test.
+ci=$scratch/ci
+mkdir -p -- "$ci"/{.ci,bin,tests/attacks/fuzz,build/sanitizers/bin}
+cp -- "$source_root/.ci/run" "$ci/.ci"
+for stub in .ci/{install,format} bin/{cmake,doxygen} tests/attacks/fuzz/run build/sanitizers/bin/dumbbell-verify; do
+    printf '#!/bin/sh\n' > "$ci/$stub"
+done
+printf '#!/bin/sh\nexit 3\n' > "$ci/.ci/trixie"
+cat > "$ci/run" << 'END'
+#!/usr/bin/env bash
+echo "$*" >> calls
+test_case() { printf '\t<testcase name="%s" classname="" time="1" status="%s">\n' "$@" >> "$report"; }
+report=$3
+case "$*" in
+    python) exit "$FAKE_PYTHON" ;;
+    *-L*) test_case web/a run ;;
+    test*) test_case web/a notrun && test_case cli/b run && test_case "cli/c d" "$FAKE_TEST" && [[ $FAKE_TEST == run ]] ;;
+esac
+END
+find "$ci" -type f -exec chmod +x {} +
+run_in "$ci" env PATH="$ci/bin:$PATH" FAKE_PYTHON=0 FAKE_TEST=run .ci/run
+expect "CI: passed, but for what could not be had" is "$code $(tail -n 1 <<< "$out")" "0 13 passed, 0 failed, 1 skipped"
+expect "CI: the tests come first" is "$(head -c 4 "$ci/calls")" test
+run_in "$ci" env PATH="$ci/bin:$PATH" FAKE_PYTHON=1 FAKE_TEST=fail .ci/run
+expect "CI: two failures, one of a test" is "$code $(tail -n 1 <<< "$out")" "1 11 passed, 2 failed, 1 skipped"
+expect "CI: the failures by name" has "$out" $'FAILED: the module for Python\nFAILED: cli/c d\n'
 
 # A moved project
 mv -- "$project" "$scratch/moved"

@@ -153,7 +153,7 @@ TEST_CASE("a written certificate is named with its checksum and the command that
     ten.report.out = "ten.dbc";
     ten.report.sha256 = std::string(64, 'a');
     CHECK_THAT(to_text(ten.report), Contains("ten.dbc (sha256 " + std::string(64, 'a') + ")") &&
-                                        Contains("dumbbell verify ten.dbc\n"));
+                                        Contains("dumbbell verify --ratio 10 --exactly 4 ten.dbc\n"));
 }
 
 TEST_CASE("the JSON object has the contract's fields") {

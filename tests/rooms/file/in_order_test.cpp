@@ -18,7 +18,7 @@ void nap() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
 /// Waits until it holds, but not for ever; whether it does.
 template <class Condition>
 bool comes_true(const Condition& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
     while (!holds() && std::chrono::steady_clock::now() < end) {
         nap();
     }

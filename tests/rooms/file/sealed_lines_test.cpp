@@ -36,6 +36,9 @@ TEST_CASE("the digest of a file is the one in its last line, plain or compressed
     const TemporaryFolder folder;
     AtomicFile(folder / "file.dbc.gz").commit(sealed());
     CHECK(sealed_digest(folder / "file.dbc.gz") == digest());
+    // What was read before is not read again.
+    const std::string packed = file_contents(folder / "file.dbc.gz");
+    CHECK(sealed_digest(NamedFile("no/such/file.dbc", packed)) == digest());
 }
 
 TEST_CASE("a damaged file has no digest: cut off, changed, or with something after its end") {

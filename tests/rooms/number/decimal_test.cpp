@@ -117,7 +117,7 @@ TEST_CASE("an exact text is the number, however near it is to another one") {
     for (int i = 0; i < 2'000; ++i) {
         const Rational x = random_rational(random);
         CAPTURE(x);
-        // Beyond 1,000 characters or exponents parse_rational refuses what it is given.
+        // Beyond 2,100 characters or exponents of 1,000 parse_rational refuses what it is given.
         if (const std::string shown = exact_text(x); shown.size() <= 1000) {
             REQUIRE(parse_rational(shown) == x);
         }

@@ -58,13 +58,13 @@ TEST_CASE("Leading zeros are decimal, not octal") {
     CHECK(parse_rational("0.010") == Rational(1, 100));
 }
 
-TEST_CASE("Exponents up to 1000 and texts up to 1000 characters are taken") {
+TEST_CASE("Exponents up to 1000 and texts up to 2100 characters are taken") {
     CHECK(parse_rational("1e1000") == power_of_ten(1000));
     CHECK(parse_rational("1e-1000") == 1 / power_of_ten(1000));
     CHECK(parse_rational("1e+0001000") == power_of_ten(1000));
     CHECK(parse_rational("1.25e-1000") == Rational(5, 4) / power_of_ten(1000));
-    const std::string nines(1000, '9');
-    CHECK(parse_rational(nines) == power_of_ten(1000) - 1);
+    const std::string nines(2100, '9');
+    CHECK(parse_rational(nines) == power_of_ten(2100) - 1);
     CHECK(parse_rational("0." + std::string(997, '0') + "1") == 1 / power_of_ten(998));
     CHECK(parse_rational("1e" + std::string(994, '0') + "1000") == power_of_ten(1000));
 }
@@ -116,8 +116,8 @@ TEST_CASE("Zero denominators, absurd exponents and over-long texts are refused f
     CHECK_THAT(refusal("1e" + std::string(990, '9')), Contains("exponent"));
     CHECK_THAT(refusal("1e2147483648"), Contains("exponent"));
     CHECK_THAT(refusal("1e4294967297"), Contains("exponent"));
-    CHECK_THAT(refusal(std::string(1001, '1')), Contains("too long"));
-    CHECK_THAT(refusal(std::string(1001, 'x')), Contains("too long"));
+    CHECK_THAT(refusal(std::string(2101, '1')), Contains("too long"));
+    CHECK_THAT(refusal(std::string(2101, 'x')), Contains("too long"));
     CHECK_THAT(refusal(std::string(1'000'000, '1')), Contains("too long"));
 }
 

@@ -114,7 +114,8 @@ TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axe
 TEST_CASE("the verifier is asked for exactly what the file claims") {
     const auto options = [](Certificate certificate) { return file_of(certificate)["verify_options"]; };
     CHECK(options(certificate_of({piece(10, 10, 4, 4)})) == "--ratio 10 --exactly 4");
-    CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) == "--ratio 1:3 --max 5 --min 3");
+    CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) ==
+          "--ratio 1:3 --max 5 --min 3 --gap 0.5");
     CHECK(options(certificate_of({open_piece(5, 12)})) == "--ratio 5:12");
     Certificate wedge = certificate_of({piece(1, 2, 3, 2)});
     wedge.scene = Scene::wedge;
@@ -162,7 +163,9 @@ TEST_CASE("initial conditions: kinds with their first mass, exact shares, bounds
     CHECK(file["claim"] == "initial-conditions");
     CHECK(file["least"] == 1);
     CHECK(file["most"] == 3);
-    CHECK(file["verify_options"] == "--claim initial-conditions --max 3 --min 1");
+    CHECK(file["verify_options"] ==
+          "--claim initial-conditions --phi 0:1 --phidot -1 --y 3 --ydot -0.5 --ratio 10 --max 3 --min 1 "
+          "--decided 0.75");
     CHECK(file["tree"]["axes"][0] == Parsed::parse(R"({"name": "phi", "lo": "0/1", "hi": "1/1"})"));
     CHECK(file["tree"]["axes"][3]["lo"] == "-1/2");
     CHECK(file["tree"]["nodes"] == Parsed{-1, 0, -1, 1, 2});
@@ -181,7 +184,7 @@ TEST_CASE("incoming trajectories: the two coordinates of their section, and the 
     const Parsed file = file_of(certificate);
     CHECK(file["claim"] == "incoming");
     CHECK(file["ratio"] == "10/1");
-    CHECK(file["verify_options"] == "--claim incoming --max 3 --min 1");
+    CHECK(file["verify_options"] == "--claim incoming --ratio 10 --max 3 --min 1 --decided 0.75");
     CHECK(file["tree"]["axes"] == Parsed::parse(R"([{"name": "phi_over_pi", "lo": "0/1", "hi": "2/1"},
         {"name": "s", "lo": "0/1", "hi": "1/1"}])"));
     CHECK(file["shares"][1]["share"] == "0.5");
@@ -191,7 +194,8 @@ TEST_CASE("an open part leaves no upper bound, and no lower one but 0") {
     const Parsed file = file_of(starts_file(closed(0, std::nullopt)));
     CHECK(file["least"] == 0);
     CHECK(file["most"].is_null());
-    CHECK(file["verify_options"] == "--claim initial-conditions");
+    CHECK(file["verify_options"] ==
+          "--claim initial-conditions --phi 0:1 --phidot -1 --y 3 --ydot -0.5 --ratio 10 --decided 0.75");
 }
 
 TEST_CASE("a tree of initial conditions deeper than the format permits is refused, not computed with") {
@@ -214,7 +218,8 @@ TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves
     CHECK(file["attained"][0]["u"] == "1/2");
     CHECK(file["tree"]["nodes"] == Parsed{-4, 2, 0});
     CHECK(file["kinds"].size() == 3);
-    CHECK(file["verify_options"] == "--claim adiabatic-run");
+    CHECK(file["verify_options"] ==
+          "--claim adiabatic-run --delta 0:0.01 --heights 0:0.9 --margin 0.3 --constant 17.77 --attained 16");
 }
 
 TEST_CASE("the constant C has 20 digits that are proved") {

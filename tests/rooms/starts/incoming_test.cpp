@@ -99,7 +99,7 @@ TEST_CASE("certificates about incoming trajectories are verified, with the same 
         const SealedText written = sealed(ratio, parts);
         CHECK(written.text.find("claim incoming\nratio ") != std::string::npos);
         const make::File file(written.text);
-        dumbbell_verify::Settings settings;
+        dumbbell_verify::Request settings;
         settings.shares = true;
         const auto proof =
             std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);

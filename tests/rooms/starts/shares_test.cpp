@@ -27,7 +27,7 @@ Box falling(const Rational& q) {
 
 dumbbell_verify::starts::Claim checked(const std::string& text) {
     const make::File file(text);
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     settings.shares = true;
     return std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
 }

@@ -22,7 +22,7 @@ inline std::string written(const dumbbell::starts::Box& box, const dumbbell::sta
 inline std::string refusal(const std::string& text, dumbbell_verify::Verified* proof = nullptr) {
     const make::File file(text);
     try {
-        dumbbell_verify::Settings settings;
+        dumbbell_verify::Request settings;
         settings.max_bits = 4096;
         auto found = dumbbell_verify::verify(file.path(), settings);
         if (proof != nullptr) {

@@ -45,7 +45,7 @@ std::string said_of_state(const Adiabatics& file, unsigned bits = 256) {
 }  // namespace
 
 TEST_CASE("adiabatic: true claims are verified, in double and in multiple precision") {
-    dumbbell_verify::Settings precise;
+    dumbbell_verify::Request precise;
     precise.precision = 100;
     for (const std::string* text : {&bounce(), &run_file(), &scattering()}) {
         INFO(text->substr(0, 200));

@@ -3,7 +3,7 @@
 #include "make_file.hpp"
 
 using namespace make;
-using dumbbell_verify::Settings;
+using dumbbell_verify::Request;
 
 TEST_CASE("adiabatic grammar: unknown words make a file unsupported") {
     for (const auto& [from, to] : {std::pair{"claim adiabatic-run", "claim adiabatic-walk"},
@@ -119,7 +119,7 @@ TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
     CHECK(mutant(run_file(), "classes 1", "classes 64") == "syntax");
     CHECK(mutant(bounce(), "attained 1119/5000 1/1 1/20 1 97/50", "attained 4/5 0/1 1/20 1 0/1") ==
           "verified");
-    Settings settings;
+    Request settings;
     settings.max_bits = 4096;
     const std::string precise = mutated_adiabatic(bounce(), "bits 53", "bits 4096");
     CHECK(std::holds_alternative<dumbbell_verify::adiabatic::Claim>(
@@ -158,14 +158,14 @@ TEST_CASE("adiabatic: leaves are checked while the file is read") {
         return depth > 0 ? "split u\n" + half + half : "bound\n";
     };
     const std::string file = closed_adiabatic(small_bounce().header() + halved(12));
-    Settings settings;
+    Request settings;
     settings.budget = file.size() / 2 * 384;  // units: less than half of what the text and its boxes cost
     CHECK(outcome(file, settings) == "bound");
 }
 
 TEST_CASE("adiabatic: the precision that is asked for is worked in, and its work is told") {
     const auto work = [](unsigned bits) {
-        Settings settings;
+        Request settings;
         settings.precision = bits;
         settings.max_bits = 4096;
         return dumbbell_verify::verify(File(bounce()).path(), settings).work;

@@ -60,12 +60,14 @@ TEST_CASE("adiabatic: a value of 0 has no ratio") {
 TEST_CASE("adiabatic: such a file is no answer to a question about numbers of collisions") {
     const File file(run_file());
     const auto code = [&](const std::string& options) { return run(options + " " + file.path()).code; };
-    for (const char* demand : {"--max 5", "--min 1", "--exactly 2", "--ratio 399",
-                               "--claim adiabatic-run --max 3", "--claim initial-conditions --max 3"}) {
+    for (const char* demand : {"--max 5", "--min 1", "--exactly 2", "--ratio 399"}) {
         CHECK(code(demand) == 2);
-        CHECK(run(std::string(demand) + " " + file.path()).last().find("says nothing of them") !=
-              std::string::npos);
+        CHECK(
+            run(std::string(demand) + " " + file.path()).last().find("this file's claim is adiabatic-run") !=
+            std::string::npos);
     }
+    CHECK(code("--claim initial-conditions --max 3") == 2);
+    CHECK(code("--claim adiabatic-run --max 3") == 2);
     CHECK(run("--max 5 " + file.path()).last().starts_with("s UNREADABLE --ratio, "));  // of no line
     CHECK(code("--claim adiabatic-run") == 0);
     CHECK(code("--claim adiabatic-scattering") == 1);
@@ -77,7 +79,23 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     CHECK(run("--claims " + list.path()).code == 2);
     const File ten(closed(header("10/1", "10/1", 1) + piece(10, 10, 4, 0, "")));
     CHECK(run("--claim adiabatic-run " + ten.path()).code == 1);
-    CHECK(run("--claim adiabatic-run --max 4 " + ten.path()).code == 1);
+    CHECK(run("--claim adiabatic-run --delta 1/20 --constant 20 " + ten.path()).code == 1);
+    const std::string whole = "--delta 0.05 --heights 0.6:0.9 --margin 1/2 --constant 20 --attained 9.3";
+    CHECK(run("--claim adiabatic-run " + whole + " " + file.path())
+              .last()
+              .ends_with(" demanded-claim=adiabatic-run demanded-delta=1/20:1/20 demanded-heights=3/5:9/10 "
+                         "demanded-margin=1/2 demanded-constant=20/1 demanded-attained=93/10"));
+    CHECK(has(run("--claim adiabatic-run --constant 19.99 " + file.path()), "claim-not-proved"));
+    CHECK(has(run("--claim adiabatic-run --constant 20 " + file.path()),
+              "  Not demanded: delta, heights, margin, attained.\n"));
+    const auto listed = [&](const std::string& claim) {
+        const File row(file.path() + "\t" + claim + "\n");
+        return run("--claims " + row.path()).code;
+    };
+    CHECK(listed("--claim adiabatic-run " + whole) == 0);
+    CHECK(listed("--claim adiabatic-run --delta 0.05 --constant 19") == 1);
+    CHECK(listed("--claim adiabatic-run --delta 0.05") == 2);
+    CHECK(listed("--claim adiabatic-run --constant 20") == 2);
 }
 
 TEST_CASE("adiabatic: --json, --junit and --explain") {

@@ -20,7 +20,7 @@ namespace {
 std::string outcome_at_line(const std::string& bytes, bool with_line = false) {
     const File file(bytes);
     try {
-        Settings settings;
+        Request settings;
         verify(file.path(), settings);
         return "verified";
     } catch (const Failure& failure) {
@@ -332,7 +332,7 @@ TEST_CASE("the first failing line of the file is reported, whatever the threads 
     for (const unsigned jobs : {1U, 2U, 8U}) {
         for (const bool cut : {false, true}) {  // a later syntax error does not hide the leaf
             const File file(cut ? text.substr(0, text.size() - 100) : text);
-            Settings settings;
+            Request settings;
             settings.jobs = jobs;
             try {
                 verify(file.path(), settings);
@@ -348,7 +348,7 @@ TEST_CASE("the first failing line of the file is reported, whatever the threads 
 TEST_CASE("what cannot be read is unreadable, not wrong") {
     for (const char* path : {"/nonexistent/file", "/tmp"}) {
         try {
-            verify(path, Settings());
+            verify(path, Request());
             FAIL("verified");
         } catch (const Failure& failure) {
             CHECK(failure.verdict == Verdict::unreadable);

@@ -90,6 +90,19 @@ TEST_CASE("L13: outward gives the neighbour, in every binade that it does not ca
         CHECK((outward(down, s, false) == -0x1p-899 && outward(up, -s, false) == 0x1p-899));
 }
 
+TEST_CASE("L13: the factor is the least that moves all numbers beyond what is rounded to them, exactly") {
+    const auto moves = [](double s, double moved) {
+        return mpq_class(moved) >= mpq_class(s) + (mpq_class(above(s)) - mpq_class(s)) / 2;
+    };
+    for (int k = -900; k < 1000; ++k) {
+        const double s = std::ldexp(1.0, k);
+        for (const double x : {s, above(s), 1.5 * s, below(2 * s)}) REQUIRE(moves(x, outward(up, x, false)));
+        REQUIRE_FALSE(moves(s, s + s * 0x1p-53));  // one digit less
+    }
+    CHECK(
+        (outward(up, below(0x1p-900), false) == 0x1p-899 && outward(up, above(0x1p1000), false) == HUGE_VAL));
+}
+
 TEST_CASE("the bounds of sums, products and quotients of doubles are the neighbours of what is rounded") {
     compare("add", add, mpfr_add, 0x1p-899, 0x1p999);
     compare("mul", mul, mpfr_mul, 0x1p-899, 0x1p999);

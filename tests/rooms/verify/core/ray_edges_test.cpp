@@ -5,7 +5,7 @@
 #include "catch.hpp"
 #include "leaf_rows.hpp"
 #include "verify/functions/exact_value.hpp"
-#include "verify/sections/bridge.hpp"
+#include "verify/sections/flights.hpp"
 #include "verify/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
@@ -22,6 +22,23 @@ struct OpenBridge : Bridge<double> {
     using Base = Bridge<double>;
     using Base::certainly_above, Base::contacts, Base::half_turn, Base::trig;
     explicit OpenBridge(const Leaf& leaf) : Base(leaf, full(), nullptr) {}
+};
+/// Flights of a box, of which two enclosures may be made to exclude each other.
+struct OpenFlights : Flights<double> {
+    using Base = Flights<double>;
+    using Base::rebound, Base::slope_behind, Base::wall;
+    using Wall = Base::Wall;
+    explicit OpenFlights(const Leaf& leaf) : Base(leaf, plain(), nullptr) {}
+};
+struct OpenStart : Departures<double> {
+    using Departures<double>::Departures, Departures<double>::contacts;
+};
+template <class N>
+struct Excluding {
+    Excluding(const Leaf&, Log*) {}
+    const char* verdict() {
+        return meet(Interval<N>(N(0), N(1)), Interval<N>(N(2), N(3))).lo > N(0) ? nullptr : "";
+    }
 };
 Leaf at_ratio(int q) {
     Leaf leaf;
@@ -387,4 +404,35 @@ TEST_CASE("step edges: the wedge's limits are what they say") {
 TEST_CASE("step edges: in the wedge a sigma X without a slope is counted from slope 0") {
     CHECK(said_of_leaf("1 wedge turning wedge count 0 1 1 3 0 0 0 0 1 1") == "certified");  // 2 r lambda = 0
     CHECK(said_of_leaf("1 wedge turning wedge witness 0 1 1 3 0 0 -1 -1 5 5") == "0 <= lambda");
+}
+
+TEST_CASE("enclosures of the same thing that exclude each other certify nothing, whatever they are of") {
+    using I = DoublePair;
+    CHECK(std::string(judged<Excluding>(Leaf(), nullptr)) ==
+          "two enclosures of the same thing exclude each other");
+    CHECK(meet(I(0, 2), I(1, 3)).lo == 1);
+    CHECK(meet(I(0, 1), I(1, 3)).hi == 1);
+    const OpenFlights flights(at_ratio(4));
+    const RayBound<double> ray{0.5, 0.2, 0.25};
+    using Last = Rays<double>::Contact;
+    const double z = 0.65;  // near the contact, where sin is 0.63 and cos 0.78
+    CHECK(flights.wall(ray, z, std::nullopt, I(0.2)).D.hi > 0);
+    CHECK(flights.wall(ray, z, Last{0.7, 0.65, 0.75}, I(0.2)).x.hi == 0.7);
+    CHECK_THROWS_AS(flights.wall(ray, z, Last{0.6, 0.65, 0.75}, I(0.2)), Excluded);
+    CHECK_THROWS_AS(flights.wall(ray, z, Last{0.7, 0.55, 0.75}, I(0.2)), Excluded);
+    CHECK_THROWS_AS(flights.wall(ray, z, Last{0.7, 0.65, 0.85}, I(0.2)), Excluded);
+    CHECK_THROWS_AS(flights.wall(ray, z, std::nullopt, I(0.9)),
+                    Excluded);  // no contact has a cosine below the slope
+    // (2) of L4 at w = 0.8, kappa = 0.1, r = 1/4: D = 0.23, numerator 0.439.
+    const auto behind = [&](const I& D, const I& top) {
+        return flights.slope_behind(OpenFlights::Wall{I(0.6), I(0.6), I(0.8), D, top}, I(0.1));
+    };
+    CHECK(behind(I(0.22, 0.24), I(0.43, 0.44)).lo < 0.439 / 0.23);
+    CHECK_THROWS_AS(behind(I(0.22, 0.24), I(0.33, 0.34)), Excluded);
+    CHECK(behind(I(-1, 0.24), I(0.43, 0.44)).lo > 1.7);  // all steeper than 1: no contradiction
+    // The least contact with the bridge of height 0.25 sin t is 0.41.
+    CHECK(flights.rebound(I(0.1), I(0), 0.42).t.lo < 0.4116);
+    CHECK_THROWS_AS(flights.rebound(I(0.1), I(0), 0.4), Excluded);
+    CHECK(OpenStart(I(0.25), nullptr).contacts(I(0.5), I(0.2)).has_value());
+    CHECK_THROWS_AS(OpenStart(I(0.25), nullptr).contacts(I(0.5, 0.4), I(0.2)), Excluded);
 }

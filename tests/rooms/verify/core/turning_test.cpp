@@ -16,7 +16,7 @@ namespace {
 std::string outcome_at_bits(const std::string& text, unsigned precision = 0) {
     const File file(text);
     try {
-        Settings settings;
+        Request settings;
         settings.precision = precision;
         verify(file.path(), settings);
         return "verified";

@@ -75,7 +75,7 @@ TEST_CASE("law: a step that is false, or where the law would not hold, is refuse
 
 TEST_CASE("law: a precision that is asked for is worked in") {
     const auto with_bits = [](unsigned bits) {
-        dumbbell_verify::Settings settings;
+        dumbbell_verify::Request settings;
         settings.precision = bits;
         dumbbell_verify::Big::precision = 53;
         return make::failure(make::law_that_doubles_do_not_decide(), settings);
@@ -103,13 +103,13 @@ TEST_CASE("law: a cover that does not close, or is not one, is refused") {
         INFO(from << " -> " << to);
         CHECK(law_mutant(from, to) == code);
     }
-    dumbbell_verify::Settings of_ratios;
+    dumbbell_verify::Request of_ratios;
     of_ratios.demand.most = 5;
     CHECK(make::failure(law_file(), of_ratios).line == 0);  // it is about no line
     using dumbbell_verify::Watched;
     const std::uint64_t read = Watched::read, all = Watched::pieces;
     const make::File file(law_file());
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     settings.budget = dumbbell_verify::verify(file.path(), settings).work;
     CHECK(Watched::read - read == 903);  // 900 steps and three covers
     CHECK(Watched::pieces - all == 903);

@@ -34,3 +34,14 @@ TEMPLATE_TEST_CASE("law: the operations on quantities with slopes enclose them",
         CHECK(holds(along.values(all), value(U)));
     }
 }
+
+TEST_CASE("law: only what has neither value nor slope at U = 0 is multiplied by what depends on U") {
+    using I = Interval<double>;
+    const Along<double> along{I(0.5, 0.75)};
+    const I factor(0.9, 1);
+    const auto x = along.times(along.curve(0, 2), factor);  // 2 U^2 (1 - 0.1 t), t in [0, 1]
+    CHECK((x.bend.lo <= 1.8 && x.bend.lo > 1.7 && x.whole.lo <= 0.45 && x.rise.hi < 1.6));
+    for (const auto& wrong : {along.line(0, 1), along.curve(1, 2), along.line(1, 0)})
+        CHECK(along.times(wrong, factor).whole.hi == HUGE_VAL);
+    CHECK_THROWS_AS(along.values({I(0), I(0), I(0), I(0), I(2)}), Excluded);
+}

@@ -71,6 +71,8 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
              {"file\t\tdumbbell certify 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--ratio 10\n", ":1: the claim needs --ratio, and"},
              {"file\t--max 4\n", ":1: the claim needs --ratio, and"},
+             {"file\t--claim initial-conditions --ratio 10 --phi 1\n", ":1: the claim needs --ratio, and"},
+             {"file\t--claim incoming --decided 1\n", ":1: the claim needs --ratio, and"},
              {"file\t--ratio 10 --max\n", ":1: no value after --max"},
              {"file\t--ratio 10 --max 4 --max 5\n", ":1: --max is given twice"},
              {"file\t--ratio 10 --max 4 --json\n", ":1: `--json` states no claim"},
@@ -92,6 +94,9 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
     CHECK(has(twice.err, "--claims names the files: give no other FILE"));
     CHECK(has(run("--max 4 --claims " + listed.path()).err, "--claims and --max exclude each other"));
     CHECK(has(run_list("/nonexistent\t--claim law\n").out, "s UNREADABLE No such file"));  // a claim
+    CHECK(
+        has(run_list("/nonexistent\t--claim incoming --ratio 2 --decided 1\n").out, "s UNREADABLE No such"));
+    CHECK(has(run("--ydot 4 --claims " + listed.path()).err, "--claims and --ydot exclude each other"));
     CHECK(run("--claims /").err == "dumbbell-verify: /: Is a directory\n");
     const File remarks("# none\n# at all\n");  // it is not the last row that is wrong
     CHECK(has(run("--claims " + remarks.path()).err, remarks.path() + ": no claim in this list"));

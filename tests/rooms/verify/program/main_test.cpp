@@ -335,10 +335,10 @@ TEST_CASE("the option --json prints an array and nothing else") {
     CHECK(has(
         r,
         "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"rho\":null,\"max\":null,\"min\":null,"
-        "\"scene\":null,\"claim\":null},"));
+        "\"scene\":null,\"claim\":null,\"numbers\":{}},"));
     CHECK(has(run("--json --ratio 5:1e1 --exactly 4 " + good.path()),
               "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":4,\"min\":4,"
-              "\"scene\":null,\"claim\":null}"));
+              "\"scene\":null,\"claim\":null,\"numbers\":{}}"));
     CHECK(has(run("--json '/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80'"),
               "\"/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\""));
     for (const char* no_utf8 :

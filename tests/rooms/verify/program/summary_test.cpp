@@ -78,35 +78,35 @@ TEST_CASE("summary: the sentence says what was demanded, or else what is proved 
         r.proof.heavy_once = ratios == "4";
         return std::pair(sentence(r), claim.says_nothing());
     };
-    const auto proved = [](const std::string& text, const std::string& left = "--max, --min") {
-        return std::pair("  " + text + ". Not demanded: " + left + ".\n", false);
+    const auto proved = [](const std::string& text, const std::string& left = "max, min") {
+        return std::pair("  " + text + ".\n  Not demanded: " + left + ".\n", false);
     };
     const std::string four =
         "no trajectory hits the floor more than 4 times, and some trajectory hits it 4 times";
     CHECK(said("3.5:5", "") ==
-          proved("Proved: at every mass ratio from 3.5 to 5 " + four, "--max, --min, --gap, --gaps"));
+          proved("Proved: at every mass ratio from 3.5 to 5 " + four, "max, min, gap, gaps"));
     CHECK(said("1:3/2", "") ==
           proved(
               "Proved: at every mass ratio from 1 to 1.5 no trajectory hits the floor more than 3 times, and "
               "some trajectory hits it at least 2 times",
-              "--max, --min, --gap, --gaps"));
+              "max, min, gap, gaps"));
     // At an end that pieces share each of them says something, and so they do together.
     CHECK(said("2", "") ==
           proved("Proved: at mass ratio 2 no trajectory hits the floor more than 3 times, and "
                  "some trajectory hits it at least 2 times"));
     CHECK(said("4", "") == proved("Proved: at mass ratio 4 " + four +
                                       "; in every trajectory the heavy mass hits the floor at most once",
-                                  "--max, --min, --heavy-at-most"));
+                                  "max, min, heavy-at-most"));
     CHECK(
         said("3:4", "--max") ==
         proved(
             "Proved: at every mass ratio from 3 to 4 no trajectory hits the floor more than 4 times; the "
             "greatest number is known in 1 of 2 pieces, open in 1; the stretches where it is not known have "
             "a relative width of at most 0",
-            "--min, --gap, --gaps"));
+            "min, gap, gaps"));
     CHECK(said("10/3:4", "--min") ==
           proved("Proved: at every mass ratio from 10/3 to 4 some trajectory hits the floor at least 4 times",
-                 "--max, --gap, --gaps"));
+                 "max, gap, gaps"));
     CHECK(said("10/3:4", "--exactly").first ==
           "  Proved: at every mass ratio from 10/3 to 4 " + four + ".\n");
     CHECK(said("1:5", "").second);
@@ -115,10 +115,10 @@ TEST_CASE("summary: the sentence says what was demanded, or else what is proved 
           "2 of "
           "5 pieces, one of two neighbouring values in 1, open in 2; the stretches where it is not known "
           "have a "
-          "relative width of at most 2.00e0. Not demanded: --max, --min, --gap, --gaps.\n");
+          "relative width of at most 2.00e0.\n  Not demanded: max, min, gap, gaps.\n");
     CHECK(said("2.5", "").second);
     CHECK(said("2.5", "").first ==
-          "  No bound is proved that holds at mass ratio 2.5. Not demanded: --max, --min.\n");
+          "  No bound is proved that holds at mass ratio 2.5.\n  Not demanded: max, min.\n");
     CHECK(said("3", "").first == proved("Proved: at mass ratio 3 " + four).first);
 }
 

@@ -21,10 +21,10 @@ namespace {
 
 const std::string stairs_text = make::contents(make::shipped("stairs-1-100.dbc"));
 
-Settings settings_asking(const std::optional<std::pair<mpq_class, mpq_class>>& ratios = {},
-                         const std::optional<mpz_class>& most = {},
-                         const std::optional<mpz_class>& least = {}) {
-    Settings settings;
+Request settings_asking(const std::optional<std::pair<mpq_class, mpq_class>>& ratios = {},
+                        const std::optional<mpz_class>& most = {},
+                        const std::optional<mpz_class>& least = {}) {
+    Request settings;
     settings.demand.ratios = ratios;
     settings.demand.most = most;
     settings.demand.least = least;
@@ -32,7 +32,7 @@ Settings settings_asking(const std::optional<std::pair<mpq_class, mpq_class>>& r
 }
 
 /// What is said of files with these texts, which are called A, B, C ...
-std::string said_together(const std::vector<std::string>& texts, Settings settings = {}) {
+std::string said_together(const std::vector<std::string>& texts, Request settings = {}) {
     settings.together = true;
     std::deque<File> files;
     std::vector<Job> jobs;
@@ -47,7 +47,7 @@ std::string said_together(const std::vector<std::string>& texts, Settings settin
 }
 
 /// What is said of one file, without its line and its SHA-256.
-std::string said_of_one(const std::string& text, const Settings& settings = {}) {
+std::string said_of_one(const std::string& text, const Request& settings = {}) {
     const File file(text);
     const Job asked{file.path(), settings};
     Result result = examine(asked);
@@ -76,7 +76,7 @@ TEST_CASE("together: a certificate cut between its pieces gets, in any order, th
         std::shuffle(files.begin(), files.end(), random);
         const mpq_class lo(static_cast<unsigned long>(4 + random() % 420), 4),
             hi = lo + mpq_class(static_cast<unsigned long>(random() % 100), 4);
-        Settings asked = settings_asking({}, random() % 12, random() % 6);
+        Request asked = settings_asking({}, random() % 12, random() % 6);
         if (random() % 4 > 0) asked.demand.ratios.emplace(lo, hi);
         if (random() % 3 == 0) asked.demand.most.reset();
         if (random() % 3 == 0) asked.demand.least.reset();
@@ -90,7 +90,7 @@ TEST_CASE("together: a hole is told, wherever it is, whatever is asked") {
     const Cuttable cuttable(stairs_text);
     std::vector<std::string> all;
     for (std::size_t i = 0; i < cuttable.pieces.size(); ++i) all.push_back(cuttable.with(i, 1));
-    const Settings first = settings_asking({{1, 1}}, 2, 2);
+    const Request first = settings_asking({{1, 1}}, 2, 2);
     REQUIRE(said_together(all, first).starts_with("s VERIFIED "));
     for (std::size_t hole = 1; hole + 1 < all.size(); ++hole) {
         std::vector<std::string> files = all;
@@ -107,7 +107,7 @@ TEST_CASE("together: without the first or the last file the claim is about what 
     const std::string most = cuttable.with(3, 14), least = cuttable.with(0, 14);
     CHECK(said_together({most}).find(" ratio=") != std::string::npos);
     CHECK(said_together({most}) == said_of_one(most));
-    const Settings asked = settings_asking({{1, 100}}, 10);
+    const Request asked = settings_asking({{1, 100}}, 10);
     for (const std::string& text : {most, least}) {
         CHECK(said_together({text}, asked)
                   .starts_with("s REJECTED code=claim-not-proved of the mass ratios 1/1:100/1 "));
@@ -243,7 +243,7 @@ TEST_CASE("together: files about something else are refused before they are read
     CHECK(said_together({make::falling()}) == "s UNREADABLE A: line 6" + other);
     CHECK(said_together({stairs_text, make::falling()}) == "s UNREADABLE B: line 6" + other);
     CHECK(said_together({stairs_text, make::contents(make::shipped("law.dbc.gz"))}).ends_with(other));
-    Settings law;
+    Request law;
     law.claim = "law";
     CHECK(said_together({stairs_text}, law).find("the claim is collisions, and law was demanded (--claim)") !=
           std::string::npos);

@@ -17,7 +17,7 @@ namespace {
 /// What is said of a text, whose scene is demanded: `verified`, or the code of the failure.
 std::string said_of_bodies(const std::string& text, unsigned precision = 0) try {
     const File file(text);
-    Settings settings;
+    Request settings;
     settings.scene = "body";
     settings.precision = precision;
     verify(file.path(), settings);
@@ -177,9 +177,11 @@ TEST_CASE(
 }
 
 TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
-    const auto most = [](const mpq_class& q, int count, const mpq_class& more_rho = 0) {
+    const auto most = [](const mpq_class& q, int count, const mpq_class& more_rho = 0,
+                         const mpq_class& more_q = 0) {
         Leaf leaf = leaf_of(0, q, mpq_class(1, 2));
         leaf.box.hi[3] += more_rho;
+        leaf.box.hi[2] += more_q;
         leaf.box.lo[0] = leaf.box.hi[0] = 3;
         leaf.box.lo[1] = leaf.box.hi[1] = mpq_class(1, 100);
         leaf.a = count;
@@ -189,6 +191,7 @@ TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
     CHECK(most(2, 1));
     CHECK_FALSE(most(2, 0));
     CHECK_FALSE(most(2, 1, mpq_class(1, 20)));  // only one of these has no mass there
+    CHECK_FALSE(most(2, 1, 0, mpq_class(1, 20)));
     CHECK(most(mpq_class(11, 5), 2));
     CHECK_FALSE(most(mpq_class(11, 5), 1));
 }
@@ -249,7 +252,8 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     CHECK(asked("--inertia 4 --rho 0.9:1 --max 4").last().ends_with("not proved for every rho in 9/10:1/1"));
     CHECK(asked("--ratio 4 --max 4").code == 1);
     for (const char* of_a_dumbbell : {"--gap 0", "--gaps 0", "--heavy-at-most 1"})
-        CHECK(asked(of_a_dumbbell).last().ends_with("the scene is body, and dumbbell was demanded (--scene)"));
+        CHECK(
+            asked(of_a_dumbbell).last().ends_with("the scene is body, and dumbbell was demanded (--scene)"));
     for (const char* wrong :
          {"--scene body --max 4", "--rho 1 --max 4", "--inertia 4 --max 4", "--inertia 4 --rho 2 --max 4",
           "--inertia 4 --rho 1:0.5 --max 4", "--rho 0", "--coin --rho 1", "--coin=1", "--coin --rod-mass 1",

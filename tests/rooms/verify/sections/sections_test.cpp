@@ -20,7 +20,7 @@ std::string outcome_in_scene(const std::string& text, const std::string& scene =
                              unsigned precision = 0) {
     const File file(text);
     try {
-        Settings settings;
+        Request settings;
         settings.scene = scene;
         settings.precision = precision;
         verify(file.path(), settings);

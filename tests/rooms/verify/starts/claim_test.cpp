@@ -185,7 +185,7 @@ TEST_CASE("numbers beyond all bounds are refused without harm") {
                                    {"91b-6 373b-8", "91b-400 373b-8"},
                                    {"91b-6 373b-8", "91b-6 373b400"}}) {
         for (const unsigned precision : {0U, 100U}) {
-            dumbbell_verify::Settings settings;
+            dumbbell_verify::Request settings;
             settings.precision = precision;
             // The clearance falls from the beginning on: an early t0 is no lie.
             const bool true_claim = to.starts_with("between 1 9999") || to.starts_with("91b-400");
@@ -202,15 +202,15 @@ TEST_CASE("initial conditions: the sentence says how often, and for how many sta
     const auto said = [](bool incoming, std::uint64_t least, std::optional<std::uint64_t> most,
                          int quarters) {
         dumbbell_verify::starts::Claim claim;
-        claim.incoming = incoming, claim.least = least, claim.most = most;
-        claim.decided = mpq_class(quarters) / 4;
+        claim.incoming = incoming;
+        claim.asked = {least, most, mpq_class(quarters) / 4};
         return claim.sentence();
     };
     const std::string proved = "Proved: for every start in the box the dumbbell hits the floor ";
     CHECK(said(false, 2, 5, 1) ==
           proved + "from 2 to 5 times; the number is known for at least a share " + "0.250000000000 of all");
-    CHECK(said(false, 0, 1, 0) == proved + "from 0 to 1 time");
-    CHECK(said(false, 3, {}, 0) == proved + "at least 3 times");
+    CHECK(said(false, 0, 1, 0) == proved + "from 0 to 1 time; the number is known for none");
+    CHECK(said(false, 3, {}, 0) == proved + "at least 3 times; the number is known for none");
     CHECK(said(false, 3, 3, 4) == proved + "3 times");
     CHECK(said(false, 1, 2, 4) == proved + "from 1 to 2 times; the number is known for each");
     CHECK(said(true, 0, {}, 0) == "No bound is proved that holds for every trajectory that comes in");

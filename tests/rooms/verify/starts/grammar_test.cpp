@@ -148,7 +148,7 @@ TEST_CASE("bounds and totals are those of the leaves") {
 }
 
 TEST_CASE("the shares of a file are those of its leaves") {
-    dumbbell_verify::Settings settings;
+    dumbbell_verify::Request settings;
     settings.shares = true;
     const make::File file(leaving("split phi\nsplit y\nexactly 0\nopen\nopen\n", "between 0 none"));
     const auto proof = dumbbell_verify::verify(file.path(), settings);

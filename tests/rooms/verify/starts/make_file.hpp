@@ -48,7 +48,7 @@ inline std::string mutated_initial(const std::string& text, const std::string& f
 
 /// Why the file is not verified; its code is "verified" if it is.
 inline dumbbell_verify::Failure failure(
-    const std::string& bytes, const dumbbell_verify::Settings& settings = dumbbell_verify::Settings()) {
+    const std::string& bytes, const dumbbell_verify::Request& settings = dumbbell_verify::Request()) {
     const File file(bytes);
     try {
         dumbbell_verify::verify(file.path(), settings);
@@ -58,7 +58,7 @@ inline dumbbell_verify::Failure failure(
     }
 }
 inline std::string outcome(const std::string& bytes,
-                           const dumbbell_verify::Settings& settings = dumbbell_verify::Settings()) {
+                           const dumbbell_verify::Request& settings = dumbbell_verify::Request()) {
     return failure(bytes, settings).code;
 }
 
