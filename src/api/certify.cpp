@@ -1,10 +1,13 @@
 #include "dumbbell/certify.hpp"
 
+#include <algorithm>
+
 #include "api/caller_stops.hpp"
 #include "api/exact_ratio.hpp"
 #include "api/jobs.hpp"
 #include "api/translate.hpp"
 #include "collisions/certify.hpp"
+#include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "number/parallel.hpp"
@@ -24,12 +27,24 @@ collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptio
     collisions::CertifyRequest request;
     request.q_lo = exact_ratio(ratio.lo());
     request.q_hi = exact_ratio(ratio.hi());
+    // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
+    // back.
+    if (std::max(ratio.lo().size(), ratio.hi().size()) > 2040) {
+        throw dumbbell::InputError(
+            "the mass ratio has too many digits for a certificate: its fraction is longer "
+            "than 2040 characters");
+    }
     request.gap = parse_gap(options.gap);
     request.section = section_of(options.section);
     request.jobs = checked_jobs(options.jobs);
     request.budget = options.budget;
     request.describes = false;
     return request;
+}
+
+Piece given(const collisions::Piece& piece) {
+    const auto most = piece.upper ? std::optional(as_long(*piece.upper)) : std::nullopt;
+    return {to_fraction(piece.q_lo), to_fraction(piece.q_hi), as_long(piece.lower), most};
 }
 
 Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
@@ -39,10 +54,7 @@ Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
     certificate.section = request.section;
     Proof proof;
     for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
-        const dumbbell::collisions::Piece& piece = certificate.pieces.emplace_back(std::move(proved.piece));
-        const auto most = piece.upper ? std::optional(as_long(*piece.upper)) : std::nullopt;
-        proof.pieces.push_back(
-            {to_fraction(piece.q_lo), to_fraction(piece.q_hi), as_long(piece.lower), most});
+        proof.pieces.push_back(given(certificate.pieces.emplace_back(std::move(proved.piece))));
     }
     SealedText text = render(certificate);
     proof.certificate = std::move(text.text);
@@ -68,10 +80,30 @@ std::vector<Proof> certify_many(std::span<const MassRatio> ratios, const Certify
     });
 }
 
+Proof read_proof(std::string_view text) {
+    return guarded([&] {
+        const NamedFile source("the certificate", text);
+        const collisions::Certificate certificate = collisions::read_certificate(source);
+        if (certificate.scene != collisions::Scene::dumbbell || certificate.sha256.empty()) {
+            throw dumbbell::InputError("the certificate is damaged, or not about N(q)");
+        }
+        Proof proof;
+        for (const collisions::Piece& piece : certificate.pieces) {
+            proof.pieces.push_back(given(piece));
+        }
+        UnpackedText lines(source);
+        for (auto line = lines.next_line(); !line.empty(); line = lines.next_line()) {
+            proof.certificate += line;
+        }
+        proof.sha256 = certificate.sha256;
+        return proof;
+    });
+}
+
 void save(const Proof& proof, const std::string& file) {
     guarded([&] {
-        if (file.empty()) {
-            throw dumbbell::InputError("the file name is empty");
+        if (file.empty() || file.find('\0') != std::string::npos) {
+            throw dumbbell::InputError("the file name is empty, or has a NUL in it");
         }
         write_atomically(output_target(file), proof.certificate);
     });

@@ -1,7 +1,6 @@
 #include "dumbbell/law.hpp"
 
 #include "api/law_certificate.hpp"
-#include "api/memory_file.hpp"
 #include "api/single_ratio.hpp"
 #include "api/translate.hpp"
 #include "file/sealed_lines.hpp"
@@ -13,10 +12,10 @@ namespace {
 
 const std::vector<law::StepEnds>& proved_steps() {
     static const std::vector<law::StepEnds> steps = [] {
-        const MemoryFile file(law_certificate());
-        require(sealed_digest(file.path()) == law::certificate_sha256,
+        const NamedFile text("the law's certificate", law_certificate());
+        require(sealed_digest(text) == law::certificate_sha256,
                 "the certificate in the library is not that of the law");
-        return law::read_steps(file.path());
+        return law::read_steps(text);
     }();
     return steps;
 }

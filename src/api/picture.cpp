@@ -1,6 +1,5 @@
 #include "dumbbell/picture.hpp"
 
-#include "api/memory_file.hpp"
 #include "api/translate.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
@@ -31,8 +30,8 @@ std::string orbit_of(const collisions::Piece& piece) {
 
 std::string picture(const Proof& proof) {
     return guarded([&] {
-        const MemoryFile file(proof.certificate);
-        const collisions::Certificate certificate = collisions::read_certificate(file.path());
+        const collisions::Certificate certificate =
+            collisions::read_certificate({"the certificate", proof.certificate});
         if (certificate.q_lo() == certificate.q_hi()) {
             return orbit_of(certificate.pieces.front());
         }
@@ -45,8 +44,7 @@ std::string picture(const Proof& proof) {
 
 std::string picture(const StartsProof& proof) {
     return guarded([&] {
-        const MemoryFile file(proof.certificate);
-        return pictures::phase_svg(starts::read_certificate(file.path()));
+        return pictures::phase_svg(starts::read_certificate({"the certificate", proof.certificate}));
     });
 }
 

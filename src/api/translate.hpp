@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "api/stack.hpp"
+#include "api/without_dashes.hpp"
 #include "base/error.hpp"
 #include "dumbbell/error.hpp"
 #include "number/flint.hpp"
@@ -33,7 +34,7 @@ std::invoke_result_t<const F&> guarded(const F& f) {
             },
             flint_cleanup);
     } catch (const dumbbell::InputError& error) {
-        throw InputError(error.what());
+        throw InputError(without_dashes(error.what()));
     } catch (const std::bad_alloc&) {
         throw ResourceError("out of memory");
     } catch (const std::system_error& error) {

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "api/memory_file.hpp"
 #include "api/stack.hpp"
+#include "api/without_dashes.hpp"
 #include "verify/input/bytes.hpp"
 #include "verify/machine/environment.hpp"
 #include "verify/program/claim_options.hpp"
@@ -15,34 +15,37 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-/// The bytes of a file, until the caller wants no more.
+/// The bytes of a file, or of a text in memory, until the caller wants no more.
+template <class From>
 class StoppableBytes : public dumbbell_verify::Source {
   public:
-    StoppableBytes(std::string path, const Stopped& stopped) : path_(std::move(path)), stopped_(stopped) {}
+    StoppableBytes(From from, const Stopped& stopped) : from_(std::move(from)), stopped_(stopped) {}
 
     std::string_view next(std::uint64_t line) override {
         if (stopped_ && stopped_()) {
             throw dumbbell_verify::Failure{dumbbell_verify::Verdict::limit, line, "limit", "it was stopped"};
         }
-        return (bytes_ ? *bytes_ : bytes_.emplace(path_)).next(line);
+        return (bytes_ ? *bytes_ : bytes_.emplace(from_)).next(line);
     }
     [[nodiscard]] std::string foreign(std::string_view line, bool is_first) const override {
         return dumbbell_verify::foreign_text(line, is_first);
     }
 
   private:
-    std::string path_;
+    From from_;
     const Stopped& stopped_;
     std::optional<dumbbell_verify::Bytes> bytes_;  ///< opened when the first are wanted
 };
 
-dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigned jobs,
-                            const std::string& budget) {
+dumbbell_verify::Job job_of(const Claim& claim, unsigned jobs, const std::string& budget) try {
     if (jobs < 1 || jobs > 1024) {
         throw std::invalid_argument("jobs is out of range: give a number of threads from 1 to 1024");
     }
-    std::vector<std::string> options{"--claim", claim.kind};
-    if (!claim.ratio.empty() || claim.kind == "collisions") {
+    std::vector<std::string> options;
+    if (!claim.kind.empty()) {
+        options = {"--claim", claim.kind};
+    }
+    if (!claim.ratio.empty()) {
         options.insert(options.end(), {"--ratio", claim.ratio});
     }
     if (claim.most) {
@@ -51,7 +54,7 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
     if (claim.least) {
         options.insert(options.end(), {"--min", std::to_string(*claim.least)});
     }
-    dumbbell_verify::Job job{file, {}};
+    dumbbell_verify::Job job;
     job.settings.jobs = jobs;
     dumbbell_verify::Arguments time({"--budget", budget});
     time.next();
@@ -63,6 +66,8 @@ dumbbell_verify::Job job_of(const std::string& file, const Claim& claim, unsigne
     }
     state_claim(words, job.settings);
     return job;
+} catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(without_dashes(error.what()));
 }
 
 Verdict given(dumbbell_verify::Verdict verdict) {
@@ -83,18 +88,17 @@ Verdict given(dumbbell_verify::Verdict verdict) {
     return Verdict::rejected;
 }
 
-}  // namespace
-
-Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget,
+template <class From>
+Verification judged(const From& from, const Claim& claim, unsigned jobs, const std::string& budget,
                     const Stopped& stopped) {
     Verification verification;
     const auto work = [&] {
         const dumbbell_verify::DefaultEnvironment environment;
-        dumbbell_verify::Job job = job_of(file, claim, jobs, budget);
-        StoppableBytes bytes(file, stopped);
+        dumbbell_verify::Job job = job_of(claim, jobs, budget);
+        StoppableBytes bytes(from, stopped);
         job.bytes = &bytes;
         const dumbbell_verify::Result result = examine(job);
-        verification = {given(result.why.verdict), result_text(result), result.proof.digest};
+        verification = {given(result.why.verdict), without_dashes(result_text(result)), result.proof.digest};
     };
     try {
         with_stack(work, mpfr_free_cache);
@@ -104,12 +108,20 @@ Verification verify(const std::string& file, const Claim& claim, unsigned jobs, 
     return verification;
 }
 
+}  // namespace
+
+Verification verify(const std::string& file, const Claim& claim, unsigned jobs, const std::string& budget,
+                    const Stopped& stopped) {
+    if (file.find('\0') != std::string::npos) {
+        throw std::invalid_argument("the name of the file has a NUL in it");
+    }
+    const std::string path = file == "-" ? "./-" : file;  // a path, not the standard input
+    return judged(path, claim, jobs, budget, stopped);
+}
+
 Verification verify_text(std::string_view text, const Claim& claim, unsigned jobs, const std::string& budget,
-                         const Stopped& stopped) try {
-    const MemoryFile file(text);
-    return verify(file.path(), claim, jobs, budget, stopped);
-} catch (const std::system_error& error) {
-    return {Verdict::limit, error.what(), ""};
+                         const Stopped& stopped) {
+    return judged(dumbbell_verify::Memory{text}, claim, jobs, budget, stopped);
 }
 
 }  // namespace DUMBBELL_ABI

@@ -4,8 +4,8 @@
 
 namespace dumbbell::law {
 
-std::vector<StepEnds> read_steps(const std::string& path) {
-    Lines lines(path);
+std::vector<StepEnds> read_steps(const NamedFile& source) {
+    Lines lines(source);
     std::vector<StepEnds> steps;
     for (long n = first_step; n <= last_step;) {
         const auto& fields = lines.next();

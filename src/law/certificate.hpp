@@ -35,6 +35,6 @@ struct StepEnds {
 
 /// Of all steps of such a certificate, first_step at first. No verification; throws InputError if the file
 /// cannot be read as one.
-[[nodiscard]] std::vector<StepEnds> read_steps(const std::string& path);
+[[nodiscard]] std::vector<StepEnds> read_steps(const NamedFile& source);
 
 }  // namespace dumbbell::law

@@ -6,6 +6,10 @@
 What goes in is exact, what comes out is proved, in C++: nothing is computed in Python. docs/13-python.md is the chapter.
 """
 
+import atexit as _atexit
+import functools as _functools
+
+from . import _dumbbell
 from ._dumbbell import (
     BrokenInvariant,
     Certificate,
@@ -16,15 +20,30 @@ from ._dumbbell import (
     Trace,
     Verification,
     __version__,
-    certify,
-    certify_incoming,
-    certify_many,
-    certify_starts,
-    critical,
-    law,
-    mean_collisions,
-    trace,
-    verify,
 )
 
+
+def _named(function):
+    """The same as a function of this module, which pickle finds by its name."""
+
+    @_functools.wraps(function)
+    def call(*given, **options):
+        return function(*given, **options)
+
+    call.__module__, call.__qualname__ = __name__, function.__name__
+    return call
+
+
+certify = _named(_dumbbell.certify)
+certify_incoming = _named(_dumbbell.certify_incoming)
+certify_many = _named(_dumbbell.certify_many)
+certify_starts = _named(_dumbbell.certify_starts)
+critical = _named(_dumbbell.critical)
+law = _named(_dumbbell.law)
+mean_collisions = _named(_dumbbell.mean_collisions)
+trace = _named(_dumbbell.trace)
+verify = _named(_dumbbell.verify)
+
 __all__ = [name for name in dir() if not name.startswith("_")]
+
+_atexit.register(_dumbbell._interpreter_ends)

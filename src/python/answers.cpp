@@ -1,9 +1,6 @@
-#include <pybind11/stl.h>
-
 #include <dumbbell/critical.hpp>
 #include <dumbbell/law.hpp>
 #include <dumbbell/trace.hpp>
-#include <limits>
 
 #include "python/exact.hpp"
 #include "python/module.hpp"
@@ -48,21 +45,11 @@ Each quantity is exact, as `q` of certify, or a pair (lo, hi); phi also '30deg' 
 floats, rounded outward. `digits`: the precision; 0 is double precision.
 )";
 
-/// An int of any size; what no long holds is out of range all the same.
-long clamped(const py::int_& n) {
-    int beyond = 0;
-    const long value = PyLong_AsLongAndOverflow(n.ptr(), &beyond);
-    return beyond == 0  ? value
-           : beyond > 0 ? std::numeric_limits<long>::max()
-                        : std::numeric_limits<long>::min();
-}
-
-py::tuple critical(const py::int_& n, int digits, const std::optional<double>& budget) {
+py::tuple critical(const Whole& n, const Whole& digits, const Budget& budget) {
     auto options = within(api::CriticalOptions{.digits = digits}, budget);
-    const long count = clamped(n);
     const auto ratio = running([&](const api::Stopped& stopped) {
         options.stopped = stopped;
-        return api::critical(count, options);
+        return api::critical(n, options);
     });
     if (!ratio) {
         PyErr_SetString(PyExc_TimeoutError, "not enclosed within the budget, or with 16384 bits");
@@ -71,22 +58,17 @@ py::tuple critical(const py::int_& n, int digits, const std::optional<double>& b
     return py::make_tuple(decimal(ratio->lo), decimal(ratio->hi));
 }
 
-py::tuple law(const py::object& q) {
-    const api::MassRatio ratio = mass_ratio(q);
+py::tuple law(const Number& q) {
+    const api::MassRatio ratio(q.value);
     const api::Law found = running([&](const api::Stopped&) { return api::law(ratio); });
     return py::make_tuple(whole(found.least), whole(found.most));
 }
 
-Trace trace(const py::object& q, const py::object& phi, const py::object& phidot, const py::object& y,
-            const py::object& ydot, int digits) {
-    const api::MassRatio ratio = mass_ratio(q);
-    const api::InitialCondition start{exact_text(phi), exact_text(phidot), exact_text(y), exact_text(ydot)};
+Trace trace(const Number& q, const Number& phi, const Number& phidot, const Number& y, const Number& ydot,
+            const Whole& digits) {
+    const api::MassRatio ratio(q.value);
+    const api::InitialCondition start{phi.value, phidot.value, y.value, ydot.value};
     return running([&](const api::Stopped& stopped) { return api::trace(ratio, start, digits, stopped); });
-}
-
-template <api::Interval Collision::*quantity>
-py::tuple ends(const Collision& collision) {
-    return pair(collision.*quantity);
 }
 
 }  // namespace
@@ -94,18 +76,23 @@ py::tuple ends(const Collision& collision) {
 void add_answers(py::module_& module) {
     py::class_<Collision>(module, "Collision", "One collision of every orbit of a box; enclosures are pairs.")
         .def_readonly("heavy", &Collision::heavy, "whether the heavy mass hits the floor")
-        .def_property_readonly("time", ends<&Collision::time>)
-        .def_property_readonly("phi", ends<&Collision::phi>)
-        .def_property_readonly("y", ends<&Collision::y>)
-        .def_property_readonly("phidot_before", ends<&Collision::phidot_before>)
-        .def_property_readonly("phidot_after", ends<&Collision::phidot_after>)
-        .def_property_readonly("ydot_before", ends<&Collision::ydot_before>)
-        .def_property_readonly("ydot_after", ends<&Collision::ydot_after>)
-        .def_property_readonly("grazing_sine", ends<&Collision::grazing_sine>);
+        .def_readonly("time", &Collision::time)
+        .def_readonly("phi", &Collision::phi)
+        .def_readonly("y", &Collision::y)
+        .def_readonly("phidot_before", &Collision::phidot_before)
+        .def_readonly("phidot_after", &Collision::phidot_after)
+        .def_readonly("ydot_before", &Collision::ydot_before)
+        .def_readonly("ydot_after", &Collision::ydot_after)
+        .def_readonly("grazing_sine", &Collision::grazing_sine)
+        .def(by_members<Collision>(&Collision::heavy, &Collision::time, &Collision::phi, &Collision::y,
+                                   &Collision::phidot_before, &Collision::phidot_after,
+                                   &Collision::ydot_before, &Collision::ydot_after,
+                                   &Collision::grazing_sine));
     py::class_<Trace>(module, "Trace", "The collisions of every orbit of a box.")
         .def_readonly("lower", &Trace::least, "every orbit has at least so many")
         .def_readonly("upper", &Trace::most, "and at most so many; None: nothing is known")
         .def_readonly("collisions", &Trace::collisions, "those that can be enclosed, in the order of time")
+        .def(by_members<Trace>(&Trace::least, &Trace::most, &Trace::collisions))
         .def("__repr__", [](const Trace& t) {
             return "<Trace: " + std::to_string(t.least) +
                    (t.most ? " to " + std::to_string(*t.most) + " collisions>" : " collisions or more>");

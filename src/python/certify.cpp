@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include <dumbbell/certify.hpp>
 
 #include "python/exact.hpp"
@@ -14,6 +12,15 @@ namespace {
 using api::MassRatio;
 using api::Piece;
 using api::Proof;
+
+constexpr const char* certificate_text =
+    R"(A proof of N(q), as the text that the verifier checks.
+
+>>> Certificate(certify(10).bytes)
+<Certificate of 10/1: N = 4>
+
+What is read from bytes, or from a file by its name, is verified first. InputError: it is not verified.
+)";
 
 constexpr const char* certify_text =
     R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range.
@@ -65,24 +72,34 @@ std::string described(const Proof& proof) {
     return "<Certificate of " + ratio_text(proof) + ": " + bounds + ">";
 }
 
-api::Verification verify_proof(const Proof& proof, unsigned jobs) {
-    return verify_itself(proof.certificate, {.ratio = ratio_text(proof)}, proof.least(), proof.most(), jobs);
+api::Verification verify_proof(const Proof& proof, const Whole& jobs) {
+    return verify_itself(proof.certificate, {}, proof.least(), proof.most(), jobs);
 }
 
-api::CertifyOptions certify_options(const std::string& section, const py::object& gap, int jobs,
-                                    const std::optional<double>& budget) {
-    auto options = within(api::CertifyOptions{.gap = exact_text(gap), .jobs = jobs}, budget);
-    if (section == "full" || section == "plain") {
-        options.section = section == "full" ? api::Section::full : api::Section::plain;
-    } else if (section != "turning") {
-        throw py::value_error("section is 'turning', 'full' or 'plain'");
+/// Of a file that says something false there is none.
+Proof read(const Content& file, const Whole& jobs) {
+    const api::Verification found = running(
+        [&](const api::Stopped& stopped) { return api::verify_text(file.value, {}, jobs, "100h", stopped); });
+    if (!found && found.verdict != api::Verdict::open) {
+        throw api::InputError("not a certificate of N(q) that the verifier verifies: " + found.text);
+    }
+    return api::read_proof(file.value);
+}
+
+api::CertifyOptions certify_options(const Word& section, const Number& gap, const Whole& jobs,
+                                    const Budget& budget) {
+    auto options = within(api::CertifyOptions{.gap = gap.value, .jobs = jobs}, budget);
+    if (section.value == "full" || section.value == "plain") {
+        options.section = section.value == "full" ? api::Section::full : api::Section::plain;
+    } else if (section.value != "turning") {
+        throw api::InputError("section is 'turning', 'full' or 'plain'");
     }
     return options;
 }
 
-Proof certify(const py::object& q, const std::string& section, const py::object& gap, int jobs,
-              const std::optional<double>& budget) {
-    const MassRatio ratio = mass_ratio(q);
+Proof certify(const Number& q, const Word& section, const Number& gap, const Whole& jobs,
+              const Budget& budget) {
+    const MassRatio ratio(q.value);
     api::CertifyOptions options = certify_options(section, gap, jobs, budget);
     return running([&](const api::Stopped& stopped) {
         options.stopped = stopped;
@@ -90,11 +107,11 @@ Proof certify(const py::object& q, const std::string& section, const py::object&
     });
 }
 
-std::vector<Proof> certify_many(const py::iterable& ratios, const std::string& section, const py::object& gap,
-                                int jobs, const std::optional<double>& budget) {
+std::vector<Proof> certify_many(const Numbers& ratios, const Word& section, const Number& gap,
+                                const Whole& jobs, const Budget& budget) {
     std::vector<MassRatio> all;
-    for (const py::handle& q : ratios) {
-        all.push_back(mass_ratio(q));
+    for (const std::string& q : ratios.value) {
+        all.emplace_back(q);
         if (PyErr_CheckSignals() != 0) {
             throw py::error_already_set();
         }
@@ -115,7 +132,10 @@ void add(py::module_& module, const char* name, Function function, const char* t
 }  // namespace
 
 void add_certify(py::module_& module) {
-    py::class_<Proof>(module, "Certificate", "A proof of N(q), as the text that the verifier checks.")
+    py::class_<Proof>(module, "Certificate", certificate_text)
+        .def(py::init(&read), py::arg("file"), py::kw_only(), py::arg("jobs") = 1)
+        .def(py::pickle([](const Proof& p) { return py::bytes(p.certificate); },
+                        [](const py::bytes& text) { return api::read_proof(text.cast<std::string>()); }))
         .def_property_readonly(
             "ratio", [](const Proof& p) { return ratio_of(p.pieces.front().lo, p.pieces.back().hi); },
             "the pair (lo, hi) of Fractions")
@@ -127,15 +147,14 @@ void add_certify(py::module_& module) {
         .def("verify", verify_proof, "Asks the independent verifier for all that the certificate says.",
              py::kw_only(), py::arg("jobs") = 1)
         .def(
-            "save",
-            [](const Proof& p, const py::object& path) {
-                api::save(p, py::module_::import("os").attr("fsdecode")(path).cast<std::string>());
-            },
+            "save", [](const Proof& p, const Path& path) { api::save(p, path.value); },
             "Writes the file (NAME.gz: compressed), whole or not at all.", py::arg("path"))
         .def("svg", static_cast<std::string (*)(const Proof&)>(api::picture),
              "The staircase of a range, with the source paper's bound; the orbit of a ratio.")
         .def("_repr_svg_", picture_or_none<Proof>)
-        .def("__eq__", [](const Proof& a, const Proof& b) { return a.certificate == b.certificate; })
+        .def(
+            "__eq__", [](const Proof& a, const Proof& b) { return a.certificate == b.certificate; },
+            py::is_operator())
         .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); })
         .def("__repr__", described);
     add(module, "certify", certify, certify_text, "q");

@@ -7,6 +7,7 @@
 #include <dumbbell/verify.hpp>
 #include <string>
 
+#include "python/exact.hpp"
 #include "python/running.hpp"
 
 /// What certificates of every kind do.
@@ -14,7 +15,7 @@ namespace dumbbell::python {
 
 /// Asks the verifier for just what a certificate says.
 inline api::Verification verify_itself(const std::string& certificate, api::Claim claim, long least,
-                                       std::optional<long> most, unsigned jobs) {
+                                       std::optional<long> most, const Whole& jobs) {
     claim.least = static_cast<std::uint64_t>(least);
     if (most) {
         claim.most = static_cast<std::uint64_t>(*most);
@@ -32,13 +33,25 @@ pybind11::object picture_or_none(const Proof& proof) try {
     return pybind11::none();
 }
 
-/// A budget in seconds.
 template <class Options>
-Options within(Options options, const std::optional<double>& budget) {
+Options within(Options options, const Budget& budget) {
     if (budget) {
-        options.budget = std::chrono::duration<double>(*budget);
+        options.budget = std::chrono::duration<double>(budget->value);
     }
     return options;
+}
+
+/// Pickles, and copies, by these members.
+template <class T, class... Members>
+auto by_members(Members... members) {
+    return pybind11::pickle(
+        [=](const T& x) { return pybind11::make_tuple(x.*members...); },
+        [=](const pybind11::tuple& state) {
+            T x;
+            std::size_t i = 0;
+            ((x.*members = state[i++].template cast<std::decay_t<decltype(x.*members)>>()), ...);
+            return x;
+        });
 }
 
 }  // namespace dumbbell::python

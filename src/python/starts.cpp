@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include <dumbbell/starts.hpp>
 
 #include "python/exact.hpp"
@@ -41,7 +39,7 @@ constexpr const char* mean_text =
 
 /// Also which claim it is.
 struct Starts : api::StartsProof {
-    const char* kind;
+    std::string kind;
 };
 
 py::list shares_of(const Starts& starts) {
@@ -57,16 +55,16 @@ py::tuple mean_of(const Starts& starts) {
     return py::make_tuple(fraction(starts.mean_lo), hi ? fraction(*hi) : py::object(py::none()));
 }
 
-api::Verification verify_starts(const Starts& starts, unsigned jobs) {
+api::Verification verify_starts(const Starts& starts, const Whole& jobs) {
     return verify_itself(starts.certificate, {.ratio = "", .kind = starts.kind}, starts.least, starts.most,
                          jobs);
 }
 
-Starts certify_starts(const py::object& q, const py::object& phi, const py::object& phidot,
-                      const py::object& y, const py::object& ydot, std::size_t boxes, int digits, int jobs,
-                      const std::optional<double>& budget) {
-    const api::MassRatio ratio = mass_ratio(q);
-    const api::InitialCondition box{exact_text(phi), exact_text(phidot), exact_text(y), exact_text(ydot)};
+Starts certify_starts(const Number& q, const Number& phi, const Number& phidot, const Number& y,
+                      const Number& ydot, const Whole& boxes, const Whole& digits, const Whole& jobs,
+                      const Budget& budget) {
+    const api::MassRatio ratio(q.value);
+    const api::InitialCondition box{phi.value, phidot.value, y.value, ydot.value};
     auto options = within(api::StartsOptions{.boxes = boxes, .digits = digits, .jobs = jobs}, budget);
     return {running([&](const api::Stopped& stopped) {
                 options.stopped = stopped;
@@ -75,9 +73,8 @@ Starts certify_starts(const py::object& q, const py::object& phi, const py::obje
             "initial-conditions"};
 }
 
-Starts certify_incoming(const py::object& q, std::size_t boxes, int jobs,
-                        const std::optional<double>& budget) {
-    const api::MassRatio ratio = mass_ratio(q);
+Starts certify_incoming(const Number& q, const Whole& boxes, const Whole& jobs, const Budget& budget) {
+    const api::MassRatio ratio(q.value);
     auto options = within(api::StartsOptions{.boxes = boxes, .jobs = jobs}, budget);
     return {running([&](const api::Stopped& stopped) {
                 options.stopped = stopped;
@@ -89,6 +86,9 @@ Starts certify_incoming(const py::object& q, std::size_t boxes, int jobs,
 }  // namespace
 
 void add_starts(py::module_& module) {
+    using Share = api::StartsShare;
+    py::class_<Share>(module, "_Share")
+        .def(by_members<Share>(&Share::least, &Share::most, &Share::lo, &Share::hi));
     py::class_<Starts>(module, "StartsCertificate", "A proof of how many starts have how many collisions.")
         .def_property_readonly(
             "lower", [](const Starts& s) { return s.least; }, "every start has at least this number")
@@ -108,6 +108,9 @@ void add_starts(py::module_& module) {
             "svg", [](const Starts& s) { return api::picture(s); },
             "A map of the starts: exactly two quantities are intervals.")
         .def("_repr_svg_", picture_or_none<Starts>)
+        .def(by_members<Starts>(&Starts::least, &Starts::most, &Starts::shares, &Starts::undecided,
+                                &Starts::mean_lo, &Starts::mean_hi, &Starts::certificate, &Starts::sha256,
+                                &Starts::kind))
         .def("__repr__", [](const Starts& s) {
             return "<StartsCertificate: " + std::to_string(s.least) +
                    (s.most ? " to " + std::to_string(*s.most) + " collisions>" : " collisions or more>");
@@ -118,7 +121,7 @@ void add_starts(py::module_& module) {
     module.def("certify_incoming", certify_incoming, incoming_text, py::arg("q"), py::kw_only(),
                py::arg("boxes") = 50000, py::arg("jobs") = 1, py::arg("budget") = py::none());
     module.def(
-        "mean_collisions", [](const py::object& q) { return pair(api::mean_collisions(mass_ratio(q))); },
+        "mean_collisions", [](const Number& q) { return api::mean_collisions(api::MassRatio(q.value)); },
         mean_text, py::arg("q"));
 }
 

@@ -1,12 +1,41 @@
-#include <pybind11/stl.h>
-
+#include <algorithm>
+#include <array>
+#include <dumbbell/error.hpp>
 #include <dumbbell/verify.hpp>
+#include <limits>
 
 #include "python/exact.hpp"
 #include "python/module.hpp"
+#include "python/proof.hpp"
 #include "python/running.hpp"
 
 namespace py = pybind11;
+
+namespace {
+
+using dumbbell::api::Verdict;
+
+constexpr std::array<const char*, 6> names{"verified",   "rejected", "unsupported",
+                                           "unreadable", "limit",    "open"};
+static_assert(static_cast<std::size_t>(Verdict::open) == names.size() - 1);
+
+const char* name_of(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }
+
+}  // namespace
+
+/// A verdict is its name.
+template <>
+class py::detail::type_caster<Verdict> {
+    PYBIND11_TYPE_CASTER(Verdict, const_name("str"));
+    bool load(handle given, bool) {
+        const auto* const found = std::ranges::find(names, given.cast<std::string>());
+        value = static_cast<Verdict>(found - names.begin());
+        return found != names.end();
+    }
+    static handle cast(Verdict verdict, return_value_policy, handle) {
+        return str(name_of(verdict)).release();
+    }
+};
 
 namespace dumbbell::python {
 namespace {
@@ -17,9 +46,10 @@ using api::Verification;
 constexpr const char* verify_text =
     R"(Asks the independent verifier whether a certificate proves a claim.
 
-The certificate is bytes, or the path of a file. The claim: for every mass ratio of `ratio` no trajectory has more than
-`most` collisions, and some trajectory has `least`; `exactly` is both. Without a bound any will do. `kind` is
-'collisions', or another claim of dumbbell-verify --claim. `budget`: seconds of a core, about, that it may cost.
+The certificate is bytes, or the path of a file. The claim: for every mass ratio of `ratio` (None: those of the file) no
+trajectory has more than `most` collisions, and some trajectory has `least`; `exactly` is both. Without a bound any will
+do. `kind` is 'collisions', or another kind of claim ('law', 'incoming', ...); None: 'collisions', or of a call without a
+claim what the file is about. `budget`: seconds of a core, about, that it may cost; None: no limit.
 
 >>> ten = certify(10)
 >>> bool(verify(ten.bytes, ratio=10, exactly=4))
@@ -28,40 +58,35 @@ True
 'rejected'
 )";
 
-const char* name_of(api::Verdict verdict) {
-    switch (verdict) {
-        case api::Verdict::verified:
-            return "verified";
-        case api::Verdict::rejected:
-            return "rejected";
-        case api::Verdict::unsupported:
-            return "unsupported";
-        case api::Verdict::unreadable:
-            return "unreadable";
-        case api::Verdict::limit:
-            return "limit";
-        case api::Verdict::open:
-            break;
+std::optional<std::uint64_t> bound(const std::optional<Whole>& n) {
+    if (n && (n->value < 0 || n->value == std::numeric_limits<long>::max())) {
+        throw api::InputError("exactly, most and least are numbers of collisions, from 0 to 2^63 - 2");
     }
-    return "open";
+    return n ? std::optional<std::uint64_t>(*n) : std::nullopt;
 }
 
-Verification verify(const py::object& certificate, const py::object& ratio,
-                    std::optional<std::uint64_t> exactly, std::optional<std::uint64_t> most,
-                    std::optional<std::uint64_t> least, const std::string& kind, unsigned jobs,
-                    unsigned budget) {
+Verification verify(const py::object& certificate, const std::optional<Number>& ratio,
+                    const std::optional<Whole>& exactly, const std::optional<Whole>& most,
+                    const std::optional<Whole>& least, const std::optional<Word>& kind, const Whole& jobs,
+                    const Budget& budget) {
     if (exactly && (most || least)) {
-        throw py::value_error("exactly is most and least: give it without them");
+        throw api::InputError("exactly is most and least: give it without them");
     }
-    const Claim claim{.ratio = ratio.is_none() ? "" : exact_text(ratio),
-                      .most = exactly ? exactly : most,
-                      .least = exactly ? exactly : least,
-                      .kind = kind};
-    const bool in_memory = py::isinstance<py::bytes>(certificate);
-    const py::object path =
-        in_memory ? py::object() : py::module_::import("os").attr("fsdecode")(certificate);
-    const auto content = (in_memory ? certificate : path).cast<std::string>();
-    const std::string time = std::to_string(budget) + "s";
+    if ((ratio && ratio->value.empty()) || (kind && kind->value.empty())) {
+        throw api::InputError("ratio and kind are not empty: leave out what is not claimed");
+    }
+    const bool states = ratio || exactly || most || least;
+    const Claim claim{.ratio = ratio ? ratio->value : "",
+                      .most = bound(exactly ? exactly : most),
+                      .least = bound(exactly ? exactly : least),
+                      .kind = kind     ? kind->value
+                              : states ? "collisions"
+                                       : ""};
+    PyObject* const given = certificate.ptr();
+    const bool in_memory =
+        PyBytes_Check(given) != 0 || PyByteArray_Check(given) != 0 || PyMemoryView_Check(given) != 0;
+    const auto content = in_memory ? certificate.cast<Content>().value : certificate.cast<Path>().value;
+    const std::string time = budget ? std::to_string(budget->value) + "s" : "100h";
     return running([&](const api::Stopped& stopped) {
         return in_memory ? api::verify_text(content, claim, jobs, time, stopped)
                          : api::verify(content, claim, jobs, time, stopped);
@@ -72,7 +97,8 @@ Verification verify(const py::object& certificate, const py::object& ratio,
 
 void add_verify(py::module_& module) {
     py::class_<Verification>(module, "Verification", "What the verifier says; true if it has verified.")
-        .def_property_readonly("verdict", [](const Verification& v) { return name_of(v.verdict); })
+        .def_readonly("verdict", &Verification::verdict)
+        .def(by_members<Verification>(&Verification::verdict, &Verification::text, &Verification::sha256))
         .def_readonly("text", &Verification::text, "what is proved, or what is wrong, and where")
         .def_readonly("sha256", &Verification::sha256, "of a verified certificate")
         .def("__bool__", [](const Verification& v) { return static_cast<bool>(v); })
@@ -81,7 +107,7 @@ void add_verify(py::module_& module) {
         });
     module.def("verify", verify, verify_text, py::arg("certificate"), py::kw_only(),
                py::arg("ratio") = py::none(), py::arg("exactly") = py::none(), py::arg("most") = py::none(),
-               py::arg("least") = py::none(), py::arg("kind") = "collisions", py::arg("jobs") = 1,
+               py::arg("least") = py::none(), py::arg("kind") = py::none(), py::arg("jobs") = 1,
                py::arg("budget") = 30);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dumbbell/mass_ratio.hpp"
@@ -62,6 +63,10 @@ struct Proof {
 /// The same for each of many, in their order: `jobs` threads share them out.
 [[nodiscard]] [[gnu::visibility("default")]] std::vector<Proof> certify_many(
     std::span<const MassRatio> ratios, const CertifyOptions& options = {});
+
+/// What a certificate's text (plain or gzip-compressed) says of N(q), to be drawn or saved: it is not
+/// verified. Throws InputError if it is damaged, or about something else.
+[[nodiscard]] [[gnu::visibility("default")]] Proof read_proof(std::string_view text);
 
 /// Writes the certificate to a file, gzip-compressed if its name ends in `.gz`; the file appears complete or
 /// not at all. Throws InputError, naming the file and the cause, if it cannot be written.

@@ -13,10 +13,10 @@ inline namespace DUMBBELL_ABI {
 
 /// What a certificate has to prove: for every mass ratio of `ratio` (`10`, `9/2`, `1:100`) no trajectory has
 /// more than `most` collisions, and some trajectory has `least`. Of neither: any bound for all of `ratio`.
-/// Of another `kind` (initial-conditions, incoming, law and so on, as for `dumbbell-verify --claim`) what it
-/// says there; `ratio` may be empty then.
+/// An empty `ratio` is the file's own range. Of another `kind` (initial-conditions, incoming, law and so on,
+/// as for `dumbbell-verify --claim`) what it says there; an empty one is the file's own kind.
 struct Claim {
-    std::string ratio;
+    std::string ratio = {};
     std::optional<std::uint64_t> most = std::nullopt;
     std::optional<std::uint64_t> least = std::nullopt;
     std::string kind = "collisions";
@@ -40,9 +40,10 @@ struct Verification {
     explicit operator bool() const noexcept { return verdict == Verdict::verified; }
 };
 
-/// Verifies a certificate of the scene dumbbell (.dbc, also gzip-compressed) on up to `jobs` threads, with as
-/// much work as takes a core about the time of `budget` (`30s`, `10m`, `2h`). Throws std::invalid_argument,
-/// with a message that says what to do, if the claim is none: no mass ratio, jobs = 0.
+/// Verifies a certificate (.dbc, also gzip-compressed), of the scene dumbbell where a claim is stated, on up
+/// to `jobs` threads, with as much work as takes a core about the time of `budget` (`30s`, `10m`, `2h`).
+/// Throws std::invalid_argument, with a message that says what to do, if the claim is none (`ratio` is no
+/// mass ratio), for jobs = 0, and for a name with a NUL.
 [[nodiscard]] [[gnu::visibility("default")]] Verification verify(const std::string& file, const Claim& claim,
                                                                  unsigned jobs = 1,
                                                                  const std::string& budget = "30s",

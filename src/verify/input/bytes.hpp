@@ -24,8 +24,9 @@ inline void need_memory(bool enough) {
 /// Blocks of bytes, one after the other. At most one gzip member, and nothing after it.
 class Bytes : public Source {
   public:
-    /// Throws Failure if the file cannot be read, here and below.
-    explicit Bytes(const std::string& path) try : file_(path) {
+    /// Of a path, or of Memory. Throws Failure if the file cannot be read, here and below.
+    template <class From>
+    explicit Bytes(const From& from) try : file_(from) {
         first_ = read();
         if (first_ == "\x1f")
             first_ = {raw_.data(), 1 + file_.read(std::span(raw_).subspan(1))};  // of a pipe

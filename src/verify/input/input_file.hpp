@@ -10,8 +10,14 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace dumbbell_verify {
+
+/// A text in memory, which is read as a file is.
+struct Memory {
+    std::string_view text;
+};
 
 /// `-` is the standard input. What is wrong is thrown as std::invalid_argument.
 class InputFile {
@@ -27,12 +33,20 @@ class InputFile {
             throw std::invalid_argument("a named pipe: give `-` and let the shell redirect it");
         }
     }
-    ~InputFile() { ::close(file_); }
+    explicit InputFile(Memory memory) : file_(-1), memory_(memory.text) {}
+    ~InputFile() {
+        if (file_ >= 0) ::close(file_);
+    }
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
     /// How many bytes there are now, at most as many as fit; waits for the first. 0: the end.
     std::size_t read(std::span<char> into) {
+        if (file_ < 0) {
+            const std::size_t size = memory_.copy(into.data(), into.size());
+            memory_.remove_prefix(size);
+            return size;
+        }
         for (;;) {
             const ssize_t n = ::read(file_, into.data(), into.size());
             if (n >= 0) return static_cast<std::size_t>(n);
@@ -45,7 +59,8 @@ class InputFile {
     }
 
   private:
-    const int file_;
+    const int file_;           ///< -1: none
+    std::string_view memory_;  ///< what is left of it
 };
 
 }  // namespace dumbbell_verify

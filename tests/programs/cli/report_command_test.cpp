@@ -88,7 +88,8 @@ TEST_CASE("a page has the verifier and the file, or report says how to have them
     };
     const std::string none = "id=\"verifier\"></script>";
     CHECK(report_ten("page.html") ==
-          "dumbbell: Written. The page shows the proof; it does not contain the verifier (./run web adds it)\n");
+          "dumbbell: Written. The page shows the proof; it does not contain the verifier (./run web adds "
+          "it)\n");
     CHECK_THAT(contents(folder / "page.html"), Contains(none) && Contains("\"bytes\":\"\""));
     write_file(folder / "share/dumbbell/verifier.wasm.gz", "verifier");
     CHECK(report_ten("page.html").empty());

@@ -57,6 +57,14 @@ TEST_CASE("Every other verdict has its name") {
     CHECK(verify(written(text), claim).verdict == Verdict::verified);
 }
 
+TEST_CASE("Without a ratio in the claim the file's own is meant, without a kind its own, too") {
+    CHECK(verify(ten, {.most = 4, .least = 4}));
+    CHECK(!verify(ten, {.most = 3}));
+    const std::string law = DUMBBELL_CERTIFICATES "/law.dbc.gz";
+    CHECK(verify(law, {.kind = ""}));
+    CHECK(!verify(law, {}));
+}
+
 TEST_CASE("Without a bound in the claim any will do, and a file without one is open") {
     const TemporaryFolder folder;
     CHECK(verify(ten, {.ratio = "10"}));
@@ -66,11 +74,11 @@ TEST_CASE("Without a bound in the claim any will do, and a file without one is o
 }
 
 TEST_CASE("A claim that is none is refused, never verified") {
-    for (const Claim& claim : {Claim{.ratio = "", .most = 4}, Claim{.ratio = "ten", .most = 4},
-                               Claim{.ratio = "2:1", .most = 4}}) {
+    for (const Claim& claim : {Claim{.ratio = "ten", .most = 4}, Claim{.ratio = "2:1", .most = 4}}) {
         CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
     }
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .most = 4}, 0), std::invalid_argument);
+    CHECK_THROWS_AS(verify(ten + '\0', {.ratio = "10", .most = 4}), std::invalid_argument);
 }
 
 TEST_CASE("A text in memory is verified as a file is, plain or compressed") {
