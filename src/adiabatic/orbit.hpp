@@ -24,8 +24,6 @@ class Orbit {
     [[nodiscard]] const I& kappa() const { return kappa_; }
     [[nodiscard]] I angle() const { return half_pi<I>() - at_.x; }
 
-    /// |phidot| before the collision.
-    [[nodiscard]] I speed() const { return sqrt(energy_ / (I(1) + sqr(kappa_ / masses_.root_r))); }
     /// I before the collision, less that before the first.
     [[nodiscard]] I change() const { return speed() * at_.f - first_f_; }
     /// I after the collision, less that before the first.
@@ -75,6 +73,8 @@ class Orbit {
     }
 
   private:
+    /// |phidot| before the collision.
+    [[nodiscard]] I speed() const { return sqrt(energy_ / (I(1) + sqr(kappa_ / masses_.root_r))); }
     [[nodiscard]] flight::LightReflection<I> reflection() const {
         return flight::reflect_at_light_wall(kappa_, at_.w, masses_.r);
     }

@@ -12,7 +12,6 @@ inline constexpr Shade proved{"#0055a4", "#6db1ff"};
 inline constexpr Shade paper{"#c8501e", "#ff9d66"};
 inline constexpr Shade growth{"#1d2430", "#e6e9ee"};
 inline constexpr Shade gap{"#e69f00", "#f0b429"};
-inline constexpr Shade law{"#b5dcc8", "#2c5a47"};
 
 inline constexpr Shade light{"#d55e00", "#ff9248"};
 inline constexpr Shade heavy{"#0072b2", "#58b4f5"};

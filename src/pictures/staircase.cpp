@@ -132,8 +132,7 @@ PlotAxis count_axis(const Counts& counts) {
     return {lo, hi, "collisions", even_ticks(lo, hi, std::min(wanted, static_cast<int>(hi - lo)))};
 }
 
-}  // namespace
-
+/// Hatches the ranges of the pieces that are open.
 void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
     for (const Piece& piece : pieces) {
         if (piece.status() == Status::open) {
@@ -142,6 +141,8 @@ void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
         }
     }
 }
+
+}  // namespace
 
 std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
     require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "collisions/certificate.hpp"
-#include "pictures/frame.hpp"
 
 namespace dumbbell::pictures {
 
@@ -16,8 +15,5 @@ namespace dumbbell::pictures {
 /// paper_bound_limit(). Throws InputError for a range narrower than doubles tell apart.
 [[nodiscard]] std::string staircase_svg(const std::vector<collisions::Piece>& pieces,
                                         collisions::Scene scene);
-
-/// Hatches the ranges of the pieces that are open.
-void draw_open(Svg& svg, const Frame& frame, const std::vector<collisions::Piece>& pieces);
 
 }  // namespace dumbbell::pictures

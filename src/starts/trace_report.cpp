@@ -60,6 +60,19 @@ bool rests_on_theorem(const TraceReport& report) {
            (report.parts && is_general(report.parts->least, report.parts->most));
 }
 
+/// What a bound rests on that the enclosures do not give; else nothing.
+std::string theorem_sentence(const TraceReport& report) {
+    if (!rests_on_theorem(report)) {
+        return "";
+    }
+    return report.box.rho
+               ? fmt::format("No motion of the body in a plane has more than {} (L72 of proofs/body.md).",
+                             plural(*report.maximum, "collision"))
+               : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
+                             report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
+                             exact_text(report.box.hi[4]), plural(*report.maximum, "collision"));
+}
+
 /// What to do about an orbit that is not decided.
 std::string advice(const TraceReport& report) {
     constexpr int first_digits = 40;
@@ -199,15 +212,6 @@ Json subdivision_json(const TraceReport& report) {
     return json;
 }
 
-std::string shares_csv(const TraceReport& report) {
-    std::string text = "least,most,lo,hi\n";
-    for (const ShareBounds& b : share_bounds(report.parts->tree)) {
-        text += fmt::format("{},{},{},{}\n", b.least, b.most ? fmt::format("{}", *b.most) : "",
-                            to_fraction(b.lo), to_fraction(b.hi));
-    }
-    return text;
-}
-
 }  // namespace
 
 std::optional<ExactEvent> event_of(const TraceReport& report) {
@@ -243,18 +247,6 @@ std::string outcome_sentence(const TraceReport& report) {
     }
     return fmt::format("{}: the box splits at collision {}{}", bounds, next,
                        report.parts ? "" : " (smaller boxes: --subdivide)");
-}
-
-std::string theorem_sentence(const TraceReport& report) {
-    if (!rests_on_theorem(report)) {
-        return "";
-    }
-    return report.box.rho
-               ? fmt::format("No motion of the body in a plane has more than {} (L72 of proofs/body.md).",
-                             plural(*report.maximum, "collision"))
-               : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
-                             report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
-                             exact_text(report.box.hi[4]), plural(*report.maximum, "collision"));
 }
 
 std::string verdict(const TraceReport& report) {
@@ -343,38 +335,6 @@ Json to_json(const TraceReport& report) {
         object.add("event", event_json(event, trace.obstacle, trace.collisions.size()));
     }
     return object;
-}
-
-std::string to_csv(const TraceReport& report) {
-    std::string text;
-    if (report.parts && report.shares) {
-        return shares_csv(report);
-    }
-    if (report.parts) {
-        text = "collisions,share,boxes\n";
-        for (const auto& part : report.parts->exact) {
-            text += fmt::format("{},{},{}\n", part.first, to_fraction(part.second.share), part.second.boxes);
-        }
-        return text + fmt::format("undecided,{},{}\n", to_fraction(report.parts->undecided.share),
-                                  report.parts->undecided.boxes);
-    }
-    text = "collision,mass";
-    for (const Quantity& q : quantities) {
-        text += fmt::format(",{0}_lo,{0}_hi", q.key);
-    }
-    text += '\n';
-    long number = 0;
-    for (const auto& c : report.trace.collisions) {
-        text += fmt::format("{},{}", ++number, mass_name(c));
-        for (const Quantity& q : quantities) {
-            const TracedValue& value = c.*q.value;
-            text += report.digits > 0 ? fmt::format(",{},{}", value.lo, value.hi)
-                                      : fmt::format(",{},{}", unsigned_zero(value.outward.lo()),
-                                                    unsigned_zero(value.outward.hi()));
-        }
-        text += '\n';
-    }
-    return text;
 }
 
 }  // namespace dumbbell::starts

@@ -36,19 +36,12 @@ struct TraceReport {
 [[nodiscard]] std::string to_text(const TraceReport& report);
 [[nodiscard]] Json to_json(const TraceReport& report);
 
-/// One line per collision, with the bounds of every quantity; or, of a subdivision, one line per count with
-/// its share.
-[[nodiscard]] std::string to_csv(const TraceReport& report);
-
 /// The corner or the grazing contact that exact arithmetic finds in the first flight of all its starts.
 [[nodiscard]] std::optional<ExactEvent> event_of(const TraceReport& report);
 
 /// "exactly k collisions", "between a and b collisions: ...", or "cannot be decided at this precision: ..."
 /// with what to do, and the corner or grazing contact next to it; "... at any precision" of a certain corner.
 [[nodiscard]] std::string outcome_sentence(const TraceReport& report);
-
-/// What a bound rests on that the enclosures do not give; else nothing.
-[[nodiscard]] std::string theorem_sentence(const TraceReport& report);
 
 /// The outcome, what it rests on, and what the parts of a box say.
 [[nodiscard]] std::string verdict(const TraceReport& report);

@@ -21,11 +21,9 @@ Each certificate is verified first. The same certificate gives the same bytes.
 
 Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
-  dumbbell plot law certificates/stairs-1-100.dbc --out law.svg
   dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
-  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg
   dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
 
 constexpr const char* staircase_picture_description =
@@ -36,16 +34,6 @@ For the dumbbell the source paper's bound is drawn, too; for a wedge its formula
 Example:
   dumbbell certify 1:100 --out stairs.dbc
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
-
-constexpr const char* law_picture_description =
-    R"(N(q) - C sqrt q: what a staircase proves, and beyond it the law.
-
-The teeth are the certificate's. Beyond its end the picture shows what Theorem B of proofs/law.md says of every q.
-Strips show where the law leaves two values. The lower part shows the steps at a scale that grows with q, so that their
-strip has the same width everywhere. The law's own certificate is not read here: dumbbell law verifies it.
-
-Example:
-  dumbbell plot law certificates/stairs-1-100.dbc --to 1e6 --out law.svg)";
 
 constexpr const char* cover_picture_description =
     R"(The boxes of a cover, coloured by the number of collisions that they prove.
@@ -68,17 +56,6 @@ A mass ratio is proved on the spot. For a certificate over a range, --ratio choo
 Examples:
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot orbit certificates/stairs-1-100.dbc --ratio 50 --out orbit.svg)";
-
-constexpr const char* adiabatic_picture_description =
-    R"(The adiabatic invariant along one orbit, with the bound that is proved for all.
-
-It is drawn along the enclosed orbit of a certificate by dumbbell adiabatic: I = |phidot| (pi - arccos y) with its two
-factors, and its change with the bound. An orbit of fewer than five collisions has no curve and is refused: dumbbell
-report shows it.
-
-Example:
-  dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc
-  dumbbell plot adiabatic scattering.dbc --out adiabatic.svg)";
 
 constexpr const char* phase_picture_description =
     R"(Initial conditions, coloured by their certified number of collisions.
@@ -112,22 +89,17 @@ constexpr std::array<Option, 2> from_file(std::string_view text) {
 constexpr std::array with_ratio{
     Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}};
 
-constexpr std::array with_end{Option{"--to", "RATIO", "the mass ratio where the picture ends", "1e12"}};
-
-enum class Asks { nothing, ratio, to };
-
-std::string drawn(std::string (*draw)(const PlotRequest&), Asks asks, const Given& given) {
+std::string drawn(std::string (*draw)(const PlotRequest&), bool asks_ratio, const Given& given) {
     Progress progress("", Verbosity::normal, "reading");
     return draw({.file = input_file(given.text("FILE")),
-                 .ratio = asks == Asks::ratio ? given.text("--ratio") : "",
-                 .to = asks == Asks::to ? given.text("--to") : "",
+                 .ratio = asks_ratio ? given.text("--ratio") : "",
                  .observer = &progress});
 }
 
-template <std::string (*draw)(const PlotRequest&), Asks asks = Asks::nothing>
+template <std::string (*draw)(const PlotRequest&), bool asks_ratio = false>
 int run_plot(const Given& given) {
     const Output out(given.text("--out"), {given.text("FILE")});
-    out.commit(drawn(draw, asks, given));
+    out.commit(drawn(draw, asks_ratio, given));
     return exit_done;
 }
 
@@ -140,15 +112,12 @@ int run_plot_bodies(const Given& given) {
 
 constexpr std::array staircase_picture_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
-constexpr std::array law_picture_options = joined(staircase_picture_options, with_end);
 constexpr std::array cover_picture_options =
     joined(from_file("certificate about a mass ratio (-: the standard input)"), with_ratio);
 constexpr std::array orbit_picture_options =
     joined(from_file("mass ratio, or certificate (-: the standard input)"), with_ratio);
 constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
-constexpr std::array adiabatic_picture_options =
-    from_file("certificate about the adiabatic invariant (-: the standard input)");
 
 constexpr std::array body_picture_options{from_file("certificates about rigid bodies")[0].repeated(),
                                           from_file("")[1]};
@@ -160,20 +129,16 @@ constexpr Command picture(std::string_view name, std::string_view text, std::spa
 
 constexpr Command staircase_picture =
     picture("staircase", staircase_picture_description, staircase_picture_options, run_plot<draw_staircase>);
-constexpr Command law_picture =
-    picture("law", law_picture_description, law_picture_options, run_plot<draw_law, Asks::to>);
 constexpr Command cover_picture =
-    picture("cover", cover_picture_description, cover_picture_options, run_plot<draw_cover, Asks::ratio>);
+    picture("cover", cover_picture_description, cover_picture_options, run_plot<draw_cover, true>);
 constexpr Command orbit_picture =
-    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, Asks::ratio>);
+    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, true>);
 constexpr Command phase_picture =
     picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
-constexpr Command adiabatic_picture =
-    picture("adiabatic", adiabatic_picture_description, adiabatic_picture_options, run_plot<draw_adiabatic>);
 constexpr Command body_picture =
     picture("body", body_picture_description, body_picture_options, run_plot_bodies);
 constexpr std::array pictures{&staircase_picture, &cover_picture, &orbit_picture, &phase_picture,
-                              &adiabatic_picture, &law_picture,   &body_picture};
+                              &body_picture};
 
 }  // namespace
 

@@ -18,10 +18,8 @@
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "page/any_certificate.hpp"
-#include "pictures/adiabatic.hpp"
 #include "pictures/body_map.hpp"
 #include "pictures/cover.hpp"
-#include "pictures/law.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
@@ -35,15 +33,11 @@ namespace {
 
 const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
 
-/// Up to where the law is drawn.
-const Rational greatest_ratio_of_law = Rational(pow(Integer(10), 36));
-
 /// What to run for a certificate of the kind that a picture needs.
 constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
 constexpr const char* make_one = "dumbbell certify RATIO --out FILE";
 constexpr const char* make_starts = "dumbbell trace RATIO ... --subdivide --out FILE";
 constexpr const char* make_body = "dumbbell certify --scene body ... --out FILE";
-constexpr const char* make_adiabatic = "dumbbell adiabatic --delta D --out FILE";
 
 const char* what_it_is(const page::AnyCertificate& certificate) {
     return std::holds_alternative<Certificate>(certificate) ? "about mass ratios (dumbbell certify)"
@@ -164,26 +158,6 @@ std::string draw_staircase(const PlotRequest& request) {
     return pictures::staircase_svg(certificate.pieces, certificate.scene);
 }
 
-std::string draw_law(const PlotRequest& request) {
-    const RatioArgument to = parse_ratio_argument(request.to);
-    if (to.lo != to.hi || to.lo > greatest_ratio_of_law) {
-        throw InputError("--to takes a single mass ratio, at most 10^36");
-    }
-    const Certificate certificate = verified_dumbbell(request, "law", make_staircase);
-    if (certificate.q_lo() == certificate.q_hi() || certificate.q_hi() < Rational(63)) {
-        throw InputError(
-            fmt::format("plot law needs a certificate over a range of mass ratios that reaches 63, where the "
-                        "law holds: '{}' is about {} to {}",
-                        request.file, exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
-    }
-    if (to.lo <= certificate.q_hi()) {
-        throw InputError(
-            fmt::format("'{}' reaches {} itself: --to is a greater mass ratio, where the law goes on",
-                        request.file, exact_text(certificate.q_hi())));
-    }
-    return pictures::law_svg(certificate.pieces, to.lo.convert_to<double>());
-}
-
 std::string draw_cover(const PlotRequest& request) {
     const Certificate certificate = verified_dumbbell(request, "cover", make_one);
     const Rational q = ratio_of(request, certificate);
@@ -227,12 +201,6 @@ std::string draw_orbit(const PlotRequest& request) {
 
 std::string draw_phase(const PlotRequest& request) {
     return pictures::phase_svg(verified_certificate<starts::Certificate>(request, "phase", make_starts));
-}
-
-std::string draw_adiabatic(const PlotRequest& request) {
-    const auto certificate =
-        verified_certificate<adiabatic::Certificate>(request, "adiabatic", make_adiabatic);
-    return pictures::adiabatic_svg(certificate);
 }
 
 std::string draw_bodies(const std::vector<std::string>& files, Observer& observer) {

@@ -13,16 +13,13 @@ namespace dumbbell::cli {
 struct PlotRequest {
     std::string file;   ///< of an orbit possibly a mass ratio
     std::string ratio;  ///< which one to draw, of a certificate over a range; empty: it has only one
-    std::string to;     ///< where the picture of the law ends
     Observer* observer = &nobody;  ///< told of the phases after the first, which is that a file is read
 };
 
 [[nodiscard]] std::string draw_staircase(const PlotRequest& request);
-[[nodiscard]] std::string draw_law(const PlotRequest& request);
 [[nodiscard]] std::string draw_cover(const PlotRequest& request);
 [[nodiscard]] std::string draw_orbit(const PlotRequest& request);
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);
-[[nodiscard]] std::string draw_adiabatic(const PlotRequest& request);
 [[nodiscard]] std::string draw_bodies(const std::vector<std::string>& files, Observer& observer);
 
 }  // namespace dumbbell::cli

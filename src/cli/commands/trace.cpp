@@ -38,7 +38,7 @@ plane: the rod has length 1, the light mass is at height y + beta2 sin phi and t
 multiple of pi (pi/2, 2pi/3, -0.3pi). Every quantity is exact, as written (3, -0.5, 1/3), or an interval LO:HI. A
 multiple of pi is irrational: the proof holds for its rational bounds, which --json and the certificate give.
 
-Every number is printed as value+-radius, or as its bounds (--csv, --json). The grazing sine is |n.v| / (|n| |v|)
+Every number is printed as value+-radius, or as its bounds (--json). The grazing sine is |n.v| / (|n| |v|)
 before a collision, in the metric of the kinetic energy: the sine of the angle between flight and floor, 1 head-on, near
 0 where the mass only just touches. What stays undecided has bounds: those of the enclosures, or the maximum over all
 trajectories (theorem 1 of proofs/theorem.md) where that is less. Up to a ratio of 10^12 a certificate has the same
@@ -74,7 +74,7 @@ constexpr std::array start_options{
     ratio_option,
     Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body with mass between its contacts",
            "dumbbell"},
-    list_option.excludes("RATIO,--csv,--quiet"),
+    list_option.excludes("RATIO,--quiet"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
     quantity_option("--phidot", "its velocity (radians)"),
@@ -104,11 +104,9 @@ constexpr std::array start_options{
            "precision does not decide. Default: double precision"}
         .from(1, starts::most_trace_digits),
     jobs_option,
-    json_option.excludes("--csv,--quiet"),
-    flag("--csv", "a table with the bounds of every number on stdout, the outcome on stderr")
-        .excludes("--json,--quiet"),
+    json_option.excludes("--quiet"),
     flag("--quiet", "the outcome alone: a sentence, and with --subdivide the table of what was decided")
-        .excludes("--csv,--json")};
+        .excludes("--json")};
 
 constexpr auto trace_options = joined(start_options, body_options);
 
@@ -196,14 +194,6 @@ void bound_by_maximum(starts::TraceReport& report, const std::optional<long>& ma
 }
 
 void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
-    if (given.has("--csv")) {
-        fmt::print(out, "{}", to_csv(report));
-        remark(outcome_sentence(report));
-        if (const std::string theorem = theorem_sentence(report); !theorem.empty()) {
-            remark(theorem);
-        }
-        return;
-    }
     const bool explains = swapped && !given.has("--json") && !given.has("--quiet");
     fmt::print(out, "{}{}", explains ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
                shown(report, given));
@@ -302,10 +292,7 @@ int run_trace(const Given& given) {
     }
     const System system = system_of(given);
     starts::TraceReport report = report_at(given, system);
-    const Output output(given.text("--out"), {},
-                        given.has("--json")  ? "--json"
-                        : given.has("--csv") ? "--csv"
-                                             : nullptr);
+    const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     follow(report, given, jobs_of(given), verbosity_of(given));
     if (is_cut(report)) {
         return stopped(

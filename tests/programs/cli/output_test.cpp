@@ -145,7 +145,6 @@ TEST_CASE("the output - has the data alone, and what is said goes to stderr") {
         CHECK_THAT(refused_in(folder, with(words, {"--out", "-", "--json"})),
                    Contains("give --out a file name"));
     }
-    CHECK_THAT(refused_in(folder, with(trace, {"--out", "-", "--csv"})), Contains("--csv"));
     const std::string stairs = certificate(folder, "1:20");
     for (const Words& words :
          {Words{"plot", "staircase", stairs}, Words{"report", stairs, "--no-verifier"}}) {

@@ -70,8 +70,7 @@ TEST_CASE("every picture is drawn from a certificate of its kind, twice the same
                                                  {"orbit", "ten.dbc"},
                                                  {"orbit", "stairs.dbc", "--ratio", "9/2"},
                                                  {"orbit", "100"},
-                                                 {"phase", "falling.dbc"},
-                                                 {"adiabatic", "adiabatic.dbc"}}) {
+                                                 {"phase", "falling.dbc"}}) {
         CAPTURE(words);
         CHECK(picture(words) == picture(words));
     }
@@ -89,7 +88,6 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
     CHECK_THAT(refusal({"cover", "adiabatic.dbc"}), Contains("dumbbell certify RATIO"));
     CHECK_THAT(refusal({"cover", "falling.dbc"}), Contains("dumbbell certify RATIO"));
     CHECK_THAT(refusal({"orbit", "falling.dbc"}), Contains("dumbbell certify RATIO"));
-    CHECK_THAT(refusal({"adiabatic", "ten.dbc"}), Contains("dumbbell adiabatic"));
     CHECK_THAT(refusal({"cover", "wedge.dbc"}), Contains("scene wedge"));
     CHECK_THAT(refusal({"orbit", "wedge.dbc"}), Contains("scene wedge"));
 }
@@ -108,23 +106,10 @@ TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it
     CHECK_THAT(refusal({"cover", "stairs.dbc", "--ratio", "1"}), Contains("lemma L7"));
 }
 
-TEST_CASE("the law continues a staircase that reaches it, up to --to") {
-    const std::string stairs = DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc";
-    CHECK_THAT(picture({"law", stairs}), Contains("10\xc2\xb9\xc2\xb2") && Contains("Theorem B"));
-    CHECK_THAT(picture({"law", stairs, "--to", "1e6"}),
-               Contains("10\xe2\x81\xb6") && !Contains("10\xe2\x81\xb7"));
-    CHECK_THAT(refusal({"law", stairs, "--to", "100"}), Contains("reaches 100 itself"));
-    CHECK_THAT(refusal({"law", stairs, "--to", "200:300"}), Contains("single"));
-    CHECK_THAT(refusal({"law", stairs, "--to", "1e37"}), Contains("at most 10^36"));
-    CHECK_THAT(refusal({"law", "stairs.dbc"}), Contains("that reaches 63") && Contains("about 1 to 12"));
-    CHECK_THAT(refusal({"law", "ten.dbc"}), Contains("over a range"));
-    CHECK_THAT(refusal({"law", "falling.dbc"}), Contains("dumbbell certify LO:HI"));
-}
-
 TEST_CASE("what is not verified is not drawn, whatever the kind") {
     for (const auto& [word, file] :
          {std::pair{"cover", "full.dbc"}, std::pair{"orbit", "ten.dbc"}, std::pair{"phase", "falling.dbc"},
-          std::pair{"adiabatic", "adiabatic.dbc"}, std::pair{"law", "stairs.dbc"}}) {
+          std::pair{"staircase", "stairs.dbc"}}) {
         CAPTURE(word);
         std::string text = contents(certificates() / file);
         const std::size_t seal = text.rfind("sha256 ") + 7;
@@ -142,8 +127,7 @@ TEST_CASE("the pictures of docs/ are what the program draws from the shipped cer
     const std::string root = DUMBBELL_PROJECT "/";
     for (const auto& [word, certificate, name] :
          {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
-          std::tuple{"law", "stairs-1-1e6.dbc.gz", "law"}, std::tuple{"orbit", "q-100.dbc", "orbit-100"},
-          std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
+          std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"cover", "full-100.dbc.gz", "cover-100"},
           std::tuple{"cover", "q-100.dbc", "cover-turning-100"}}) {
         CAPTURE(name);
         const std::string drawn = picture({word, root + "certificates/" + certificate});

@@ -28,8 +28,6 @@ expect() {
 start=(10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2)
 expect 0 'exactly 1 collision' "${start[@]}"
 expect 0 '"outcome": "exact"' "${start[@]}" --json
-expect 0 'collision,mass,time_lo' "${start[@]}" --csv
-[[ $(cat "$scratch/err") == 'dumbbell: exactly 1 collision' ]] || { echo '--csv: no outcome on stderr'; ((++failures)); }
 expect 0 'e-50' "${start[@]}" --digits 50
 expect 0 'swapped' 1/10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2
 expect 0 'exactly 2 collisions' 10 --phi 0.3:0.31 --phidot -0.01:0.01 --y 3 --ydot -1
@@ -98,7 +96,6 @@ expect 2 'part of the box' 10 --phi -0.1:0.1 --phidot 1 --y 0:1 --ydot 1
 expect 2 'crosses 1' 0.5:2 --phi 1 --phidot 1 --y 3 --ydot -1
 expect 2 '--subdivide' "${start[@]}" --out "$scratch/x.dbc"
 expect 2 '--subdivide' "${start[@]}" --shares
-expect 0 'least,most,lo,hi' 10 --phi 0:3 --phidot 0 --y 3/2 --ydot -1 --subdivide --max-boxes 50 --shares --csv
 expect 0 'all incoming trajectories' 10 --incoming --subdivide --max-boxes 50 --shares
 expect 2 '--subdivide' 10 --incoming
 expect 2 '--phi' 10 --incoming --subdivide --phi 1

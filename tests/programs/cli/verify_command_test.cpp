@@ -151,8 +151,8 @@ TEST_CASE("what is drawn and said of a file is of the bytes that the verifier ac
         return run(words, folder.path());
     };
     const std::string old = certificate(folder, "3:80"), stairs = certificates + "stairs-1-100.dbc";
-    for (const char* picture : {"staircase", "law"}) {
-        const Words words{"plot", picture, "first", "--out", "x.svg"};
+    for (const Words& words : {Words{"plot", "staircase", "first", "--out", "x.svg"},
+                               Words{"plot", "cover", "first", "--ratio", "50", "--out", "x.svg"}}) {
         const Outcome outcome = exchanged(old, stairs, words);
         CAPTURE(words, outcome.err, outcome.out);
         CHECK(outcome.code == 2);

@@ -8,7 +8,6 @@
 using namespace dumbbell;
 using namespace dumbbell_test;
 using namespace dumbbell::pictures;
-using namespace dumbbell::starts;
 
 TEST_CASE("a phase portrait unites the boxes of a count, and hatches what is not decided") {
     const std::string svg = phase_svg(sample_initial());

@@ -50,29 +50,6 @@ TEST_CASE("one box is its own outline, and no box has none") {
     CHECK(outlines[0] == Outline{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
 }
 
-TEST_CASE("four quarters are one box: nothing is left of the edges between them") {
-    const Rational half(1, 2);
-    const auto outlines =
-        united({box(0, 0, half, half), box(half, 0, 1, half), box(0, half, half, 1), box(half, half, 1, 1)});
-    REQUIRE(outlines.size() == 1);
-    CHECK(outlines[0].size() == 4);
-}
-
-TEST_CASE("boxes round a hole have two outlines") {
-    const auto outlines = united({box(0, 0, 3, 1), box(0, 2, 3, 3), box(0, 1, 1, 2), box(2, 1, 3, 2)});
-    REQUIRE(outlines.size() == 2);
-    CHECK(contains(outlines, {Rational(1, 2), Rational(3, 2)}));
-    CHECK_FALSE(contains(outlines, {Rational(3, 2), Rational(3, 2)}));
-}
-
-TEST_CASE("boxes that touch in a corner only stay apart") {
-    const auto outlines = united({box(0, 0, 1, 1), box(1, 1, 2, 2)});
-    CHECK(contains(outlines, {Rational(1, 2), Rational(1, 2)}));
-    CHECK(contains(outlines, {Rational(3, 2), Rational(3, 2)}));
-    CHECK_FALSE(contains(outlines, {Rational(1, 2), Rational(3, 2)}));
-    CHECK_FALSE(contains(outlines, {Rational(3, 2), Rational(1, 2)}));
-}
-
 TEST_CASE("places that no double tells apart stay apart") {
     const Rational tiny(Integer(1), Integer(1) << 200U);
     const auto outlines =
