@@ -41,7 +41,7 @@ TEST_CASE("a rod's mass is converted exactly, and --json says which body it is")
                Contains("dumbbell verify --ratio 10 --rod-mass 1/100 --exactly 5 rod.dbc\n"));
     CHECK_THAT(
         dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "many.dbc"}, folder.path()).out,
-        Contains("dumbbell verify --rho 1 --inertia 2:5 --max 4 --min 3 --gap 4.5e-7 many.dbc\n"));
+        Contains("dumbbell verify --rho 1 --inertia 2:5 --max 4 --min 3 --gap 4.5e-7 --gaps 1 many.dbc\n"));
 }
 
 TEST_CASE("what is said of a body names no option that bodies do not have") {

@@ -166,7 +166,7 @@ TEST_CASE("bash completes the verifier, by either of its names") {
         };
         CHECK(with({"te"}) == Words{"ten.dbc"});
         CHECK(with({"--exa"}) == Words{"--exactly"});
-        CHECK(with({"--he"}) == Words{"--help"});
+        CHECK(with({"--hel"}) == Words{"--help"});
         CHECK(with({"--claims", "t"}) == Words{"ten.dbc"});
     }
 }

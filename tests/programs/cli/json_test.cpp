@@ -248,7 +248,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     for (const Words& options : std::vector<Words>{
              {"ten.dbc", "box.dbc", "bounce.dbc", "bad.dbc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"},
              {"--ratio", "10", "--exactly", "4", "ten.dbc"},
-             {"--scene", "body", "--rho", "1", "coin.dbc"},
+             {"--coin", "--gap", "0", "coin.dbc"},
              {"--shares", "box.dbc"},
              {"--claim", "initial-conditions", "--y", "1.5", "box.dbc"},
              {"--shares", "incoming.dbc"}}) {
@@ -271,6 +271,6 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify") {
     };
     check_documented("verify --together",
                      {without_files({"--together", "--ratio", "10", "--max", "4", "--min", "4", "ten.dbc"}),
-                      without_files({"--together", "--scene", "body", "--rho", "1", "coin.dbc"}),
+                      without_files({"--together", "--coin", "--gap", "0", "coin.dbc"}),
                       without_files({"--together", "--max", "3", "ten.dbc"})});
 }

@@ -175,8 +175,8 @@ TEST_CASE("with --out a folder keeps the certificates, and the verifier takes it
     CHECK(contents(folder / "proofs/claims.tsv") ==
           not_complete +
               "000001.dbc\t--ratio 10 --exactly 4\n"
-              "000003.dbc\t--ratio 10:20 --max 5 --min 4 --gap 9.16e-7\n"
-              "000004.dbc\t--ratio 20:30 --max 6 --min 5 --gap 9.05e-7\n");
+              "000003.dbc\t--ratio 10:20 --max 5 --min 4 --gap 9.16e-7 --gaps 1\n"
+              "000004.dbc\t--ratio 20:30 --max 6 --min 5 --gap 9.05e-7 --gaps 1\n");
     const auto lines = json_lines(result);
     CHECK(lines[0].at("out") == "proofs/000001.dbc");
     CHECK(last_line(contents(folder / "proofs/000001.dbc")) ==

@@ -133,5 +133,5 @@ TEST_CASE("the claims that the project promises are among them") {
     CHECK(promised({"--ratio", "100", "--exactly", "10"}));
     CHECK(promised({"--ratio", "1e4", "--exactly", "90"}));
     CHECK(promised({"--ratio", "1e6", "--exactly", "887"}));
-    CHECK(promised({"--ratio", "1:100", "--max", "10", "--min", "2"}));
+    CHECK(promised({"--ratio", "1:100", "--max", "10", "--min", "2", "--gap", "1e-6", "--gaps", "8"}));
 }

@@ -23,9 +23,10 @@ TEST_CASE("What the prover proves, the verifier verifies") {
     CHECK(result.verdict == Verdict::verified);
     CHECK(result);
     CHECK(result.sha256 == proof.sha256);
-    CHECK_THAT(result.text, Contains("ratio=9/2:12/1 upper=5 lower=3 ") &&
-                                Contains("sha256=" + proof.sha256) &&
-                                EndsWith(" demanded-ratio=9/2:12/1 max=5 min=3 demanded-claim=collisions"));
+    CHECK_THAT(
+        result.text,
+        Contains("ratio=9/2:12/1 upper=5 lower=3 ") && Contains("sha256=" + proof.sha256) &&
+            EndsWith(" demanded-ratio=9/2:12/1 max=5 min=3 demanded-claim=collisions not-demanded=gap,gaps"));
 }
 
 TEST_CASE("A weaker claim is proved, a stronger or foreign one is not") {
@@ -96,7 +97,8 @@ TEST_CASE("A text in memory is verified as a file is, plain or compressed") {
 }
 
 TEST_CASE("Claims of other kinds have their names") {
-    CHECK(verify(ten, {.ratio = "10", .kind = "law"}).verdict == Verdict::rejected);
+    CHECK(verify(ten, {.ratio = "", .kind = "law"}).verdict == Verdict::rejected);
+    CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "law"}), std::invalid_argument);
     CHECK(!verify(DUMBBELL_CERTIFICATES "/law.dbc.gz", {.ratio = "10"}));
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "lore"}), std::invalid_argument);
 }

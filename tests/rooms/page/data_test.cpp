@@ -115,7 +115,7 @@ TEST_CASE("the verifier is asked for exactly what the file claims") {
     const auto options = [](Certificate certificate) { return file_of(certificate)["verify_options"]; };
     CHECK(options(certificate_of({piece(10, 10, 4, 4)})) == "--ratio 10 --exactly 4");
     CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) ==
-          "--ratio 1:3 --max 5 --min 3 --gap 0.5");
+          "--ratio 1:3 --max 5 --min 3 --gap 0.5 --gaps 1");
     CHECK(options(certificate_of({open_piece(5, 12)})) == "--ratio 5:12");
     Certificate wedge = certificate_of({piece(1, 2, 3, 2)});
     wedge.scene = Scene::wedge;

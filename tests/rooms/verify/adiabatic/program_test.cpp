@@ -68,7 +68,9 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     }
     CHECK(code("--claim initial-conditions --max 3") == 2);
     CHECK(code("--claim adiabatic-run --max 3") == 2);
-    CHECK(run("--max 5 " + file.path()).last().starts_with("s UNREADABLE --ratio, "));  // of no line
+    CHECK(run("--max 5 " + file.path())
+              .last()
+              .starts_with("s UNREADABLE what is demanded is about all trajectories, "));  // of no line
     CHECK(code("--claim adiabatic-run") == 0);
     CHECK(code("--claim adiabatic-scattering") == 1);
     CHECK(code("--claim collisions") == 1);

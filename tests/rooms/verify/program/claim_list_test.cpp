@@ -29,7 +29,7 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     CHECK(bad.code == 1);
     CHECK(has(bad.out, " code=claim-not-proved not proved: at most 3 collisions"));
     CHECK(has(bad.out,
-              "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 nothing-proved=0 open=0 "
+              "\nc files=3 verified=1 rejected=1 limit=0 unsupported=0 unreadable=1 nothing-proved=0 open=1 "
               "exit=1\n"));
     const Run least = run_list(file.path() + "\t--ratio 10 --min 1\n");  // such a claim is one, proved or not
     CHECK(has(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
@@ -37,12 +37,12 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     CHECK(run_list(file.path() + "\t--scene wedge --ratio 10 --max 4\n").code == 1);
     CHECK(run_list(file.path() + "\t--claim initial-conditions --ratio 10 --max 4\n").code == 1);
     const Run json = run_list(four + "\n" + three + "\n", "--json --jobs 2 --precision 60");
-    CHECK(
-        has(json.out,
-            "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":4,\"min\":null,"));
-    CHECK(
-        has(json.out,
-            "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":3,\"min\":null,"));
+    CHECK(has(json.out,
+              "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/"
+              "1\"},\"inertia\":null,\"rho\":null,\"max\":4,\"min\":null,"));
+    CHECK(has(json.out,
+              "\"demand\":{\"ratio\":{\"lo\":\"10/1\",\"hi\":\"10/"
+              "1\"},\"inertia\":null,\"rho\":null,\"max\":3,\"min\":null,"));
 }
 
 TEST_CASE("a list of claims: names are those of the list's folder, and of the working folder without one") {
@@ -68,11 +68,13 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
              {"file --ratio 10 --max 4\n", ":1: needs a certificate, a tab and its claim"},
              {sound + "\t--ratio 10 --max 4\n", ":2: needs a certificate, a tab and its claim"},
              {sound + "\nfile\t\n", ":3: needs a certificate, a tab and its claim"},
-             {"file\t\tdumbbell certify 10\n", ":1: the claim needs --ratio, and"},
-             {"file\t--ratio 10\n", ":1: the claim needs --ratio, and"},
-             {"file\t--max 4\n", ":1: the claim needs --ratio, and"},
-             {"file\t--claim initial-conditions --ratio 10 --phi 1\n", ":1: the claim needs --ratio, and"},
-             {"file\t--claim incoming --decided 1\n", ":1: the claim needs --ratio, and"},
+             {"file\t\tdumbbell certify 10\n", ":1: the claim needs --ratio or a body, and"},
+             {"file\t--ratio 10\n", ":1: the claim needs --ratio or a body, and"},
+             {"file\t--max 4\n", ":1: the claim needs --ratio or a body, and"},
+             {"file\t--claim initial-conditions --ratio 10 --phi 1\n",
+              ":1: the claim needs --ratio or a body, and"},
+             {"file\t--claim incoming --decided 1\n", ":1: the claim needs --ratio or a body, and"},
+             {"file\t--ratio 10 --max 4\t--min 4\n", ":1: a demand behind the second tab"},
              {"file\t--ratio 10 --max\n", ":1: no value after --max"},
              {"file\t--ratio 10 --max 4 --max 5\n", ":1: --max is given twice"},
              {"file\t--ratio 10 --max 4 --json\n", ":1: `--json` states no claim"},

@@ -299,7 +299,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     for (const char* ratio : {"5/", "/5", "/", "5/x", "5/3x"})
         CHECK(run("--ratio " + std::string(ratio) + " " + file.path()).err ==
               "dumbbell-verify: not a positive ratio: `" + std::string(ratio) + "`\n");
-    const std::string digits(1001, '1');
+    const std::string digits(2101, '1');
     CHECK(run("--ratio " + digits + " " + file.path()).code == 2);
     CHECK(run("--ratio " + digits.substr(1) + " " + file.path()).code == 1);
     CHECK(run("--ratio 1e1000 " + file.path()).code == 1);
@@ -333,12 +333,9 @@ TEST_CASE("the option --json prints an array and nothing else") {
         return result.out.find(text) != std::string::npos;
     };
     CHECK(has(
-        r,
-        "\"schema\":\"dumbbell-verify-1\",\"demand\":{\"ratio\":null,\"rho\":null,\"max\":null,\"min\":null,"
-        "\"scene\":null,\"claim\":null,\"numbers\":{}},"));
+        r, R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"inertia":null,"rho":null,"max":null,)"));
     CHECK(has(run("--json --ratio 5:1e1 --exactly 4 " + good.path()),
-              "\"demand\":{\"ratio\":{\"lo\":\"5/1\",\"hi\":\"10/1\"},\"rho\":null,\"max\":4,\"min\":4,"
-              "\"scene\":null,\"claim\":null,\"numbers\":{}}"));
+              R"("demand":{"ratio":{"lo":"5/1","hi":"10/1"},"inertia":null,"rho":null,"max":4,"min":4,)"));
     CHECK(has(run("--json '/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80'"),
               "\"/\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\""));
     for (const char* no_utf8 :
@@ -416,7 +413,7 @@ TEST_CASE(
         INFO(kilobytes << ": " << r.code << " " << r.err);
         CHECK((r.code == 0 || r.code == 4));
         CHECK((r.code == 0) == (r.last() == "c files=100 verified=100 rejected=0 limit=0 unsupported=0 "
-                                            "unreadable=0 nothing-proved=0 open=0 exit=0"));
+                                            "unreadable=0 nothing-proved=0 open=100 exit=0"));
     }
 }
 

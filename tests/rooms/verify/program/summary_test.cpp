@@ -150,14 +150,14 @@ TEST_CASE("summary: JSON of a proof and of a refusal, whole") {
         R"({"file":"a\u000ab.dbc","verdict":"VERIFIED","claim":{"scene":"dumbbell","ratio":{"lo":"3/2","hi":"2/1"},"rho":null,)"
         R"("upper":4,"lower":3,"pieces":1,"gaps":1,"open":0,"widest_gap":"1/3","heavy_at_most":null},"sha256":"0f",)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"inertia":null,"rho":null,"max":null,"min":null,"gap":null,"gaps":null,)"
-        R"("heavy_at_most":null,"scene":null,"claim":null},)"
+        R"("heavy_at_most":null,"scene":null,"claim":null,"numbers":{}},)"
         R"("leaves":{"split":1,"count":3},"coverage":{"split":0.000000,"count":0.750000},)"
         R"("work":0.000,"line":null,"code":null,"reason":null})");
     CHECK(
         json(result(Verdict::rejected, 7)) ==
         R"({"file":"a\u000ab.dbc","verdict":"REJECTED","claim":null,"sha256":null,)"
         R"("schema":"dumbbell-verify-1","demand":{"ratio":null,"inertia":null,"rho":null,"max":null,"min":null,"gap":null,"gaps":null,)"
-        R"("heavy_at_most":null,"scene":null,"claim":null},)"
+        R"("heavy_at_most":null,"scene":null,"claim":null,"numbers":{}},)"
         R"("leaves":{},"coverage":{},"work":null,"line":7,"code":"count","reason":"not\u000acertified"})");
     CHECK(json(result(Verdict::rejected, 1)).find(R"("line":1,)") != std::string::npos);
     Result r = verified(false);
