@@ -70,10 +70,10 @@ Verification verify(const py::object& certificate, const std::optional<Number>& 
                     const std::optional<Whole>& least, const std::optional<Word>& kind, const Whole& jobs,
                     const Budget& budget) {
     if (exactly && (most || least)) {
-        throw api::InputError("exactly is most and least: give it without them");
+        throw api::InputError("exactly stands for most and least: give either it or them");
     }
     if ((ratio && ratio->value.empty()) || (kind && kind->value.empty())) {
-        throw api::InputError("ratio and kind are not empty: leave out what is not claimed");
+        throw api::InputError("ratio and kind must not be empty; leave out what you do not claim");
     }
     const bool states = ratio || exactly || most || least;
     const Claim claim{.ratio = ratio ? ratio->value : "",

@@ -97,7 +97,7 @@ def state_body(demand, given):
     if demand["rho"] and demand["rho"][1] > 1:
         raise Usage(f"--rho is at most 1, not {given['rho'][:60]}")
     if any(name in demand for name in ("max", "min", "gap", "gaps")) and not (demand["rho"] and demand["inertia"]):
-        raise Usage("a bound for a body needs --rho and --inertia, or --coin")
+        raise Usage("a bound for a body needs --rho and --inertia, or --coin, or --ratio with --rod-mass")
 
 
 def rod(q, mu):

@@ -91,8 +91,7 @@ CertifyRequest body_request(const Given& given) {
         throw InputError("bodies are of --scene body");
     }
     if (!given.has("--rod-mass") && given.has("RATIO")) {
-        throw InputError(
-            "--scene body has no RATIO but with --rod-mass: its numbers are --rho and --inertia");
+        throw InputError("a body has a RATIO only with --rod-mass; else give --rho and --inertia, or --coin");
     }
     CertifyRequest request = given.has("--coin")       ? about(4, 4, {1, 1})
                              : given.has("--rod-mass") ? rod_of(given)

@@ -33,7 +33,9 @@ class CertificateParts : public Parts {
             }
             Certificate& certificate = certificates_[i] = collisions::verified_certificate(name, jobs);
             if (certificate.heights) {
-                throw InputError(fmt::format("'{}' is about rigid bodies, which have no parts", name));
+                file.range.reset();
+                throw InputError(
+                    fmt::format("'{}' is about rigid bodies, which have no parts: leave it out", name));
             }
             file.range = Range{certificate.q_lo(), certificate.q_hi()};
             file.options = options(certificate.scene, certificate.section);

@@ -95,7 +95,8 @@ void state_body(const ClaimWords& words, Request& settings) {
     if (demand.rhos && demand.rhos->second > 1)
         throw std::invalid_argument("--rho is at most 1, not " + rho->substr(0, 60));
     if ((demand.most || demand.least || demand.gap || demand.gaps_at_most) && !(demand.rhos && demand.ratios))
-        throw std::invalid_argument("a bound for a body needs --rho and --inertia, or --coin");
+        throw std::invalid_argument(
+            "a bound for a body needs --rho and --inertia, or --coin, or --ratio with --rod-mass");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Checks certificates (docs/reference/format.md) independently of the program that
 constexpr std::string_view foot = R"(
   dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
-  dumbbell-verify --together --ratio 1:1e8 --max 8857 part-*.dbc    do these files prove it together?
+  dumbbell-verify --together --ratio 1:100 --max 10 part-*.dbc    do these files prove it together?
   dumbbell-verify ten.dbc                              what does this file prove?
   dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?

@@ -32,8 +32,8 @@ constexpr Option table[] = {
     {"--gaps", "N", "and that there are at most N of them", read_claim},
     {"--heavy-at-most", "1", "demand the proof that the heavy mass hits the floor at most once", read_claim},
     {"--inertia", "Q|LO:HI",
-     "the bodies in question, rods with mass or the coin: their Q = (d1/k)^2, of which --max and the others "
-     "speak in place of the mass ratio",
+     "the bodies in question, rods with mass or the coin: their Q = (d1/k)^2. --max and the others are then "
+     "about these bodies, not about a mass ratio",
      read_claim},
     {"--rho", "RHO|LO:HI", "and their d2/d1, above 0 and at most 1", read_claim},
     {"--coin", "", "the same as --rho 1 --inertia 4", read_claim},
@@ -85,8 +85,8 @@ constexpr Option table[] = {
      "--attained"},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
-     "one another without a hole or an overlap, and --ratio, --max, --min and --exactly are about all "
-     "files as one. The last line is the verdict on all",
+     "one another without a hole or an overlap, and what is demanded is about all files as one. "
+     " The last line is the verdict on all",
      [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},

@@ -68,9 +68,10 @@ std::string about_collisions(const Result& result) {
     };
     std::string where = every(claim.rho ? "Q" : "mass ratio", from, to);
     if (const auto& rhos = claim.rhos ? claim.rhos : claim.rho)
-        where += ", " + every("rho", rhos->first, rhos->second) + ",";
+        where += ", " + every("rho", rhos->first, rhos->second);
     const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
-    return (bounds.empty() ? "No bound is proved that holds " + where : "Proved: " + where + " " + bounds) +
+    return (bounds.empty() ? "No bound is proved that holds " + where
+                           : "Proved: " + where + (claim.rho ? ", " : " ") + bounds) +
            known(claim) +
            (result.proof.heavy_once ? "; in every trajectory the heavy mass hits the floor at most once"
                                     : "");

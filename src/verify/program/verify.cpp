@@ -59,7 +59,7 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
         (bounds && (settings.claim.empty() || !is_initial)))
         throw Failure{Verdict::unreadable, 0, "usage",
                       "what is demanded is about all trajectories, and this file's claim is " + claim +
-                          (is_initial ? ": to ask about its own add --claim " + claim : "")};
+                          (is_initial ? ": to ask about what it claims add --claim " + claim : "")};
     if (is_law) return about(law::proof(text, settings));
     if (invariant) return about(adiabatic::proof(text, settings, settings.numbers, *invariant));
     return about(starts::proof(text, settings, settings.numbers, incoming));
