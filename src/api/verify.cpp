@@ -56,6 +56,7 @@ dumbbell_verify::Job job_of(const Claim& claim, unsigned jobs, const std::string
     }
     dumbbell_verify::Job job;
     job.settings.jobs = jobs;
+    job.settings.max_bits = 4096;  // all that a file may ask for: the budget bounds what that costs
     dumbbell_verify::Arguments time({"--budget", budget});
     time.next();
     job.settings.budget = time.time();

@@ -44,12 +44,12 @@ def row(fields, folder):
         raise Usage("needs a certificate, a tab and its claim: FILE<tab>--ratio 10 --max 4")
     if "\0" in name:
         raise Usage("a name with a zero byte")
-    words, given = claim[0].split(" "), {}
+    words, given = re.sub(" $", "", claim[0]).split(" "), {}
     while words:
         word = words.pop(0)
         if not claim_options.take(word, words, given):
             raise Usage(f"`{word[:60]}` states no claim; see --help")
-    if any(remark.lstrip(" ").startswith("--") for remark in claim[1:]):
+    if any(re.match("[^-0-9A-Za-z]*--", remark) for remark in claim[1:]):  # behind blanks, quotes and the like
         raise Usage("a demand behind the second tab, where remarks are: put it before")
     demand = claim_options.demand_of(given)
     if not is_whole(demand):
@@ -62,4 +62,4 @@ def is_whole(demand):
     if demand["delta"]:
         return "constant" in demand
     return demand["claim"] == "law" or (("ratio" in demand or "inertia" in demand)
-                                        and any(name in demand for name in ("max", "min", "decided")))
+                                        and ("max" in demand or demand["min"] or demand["decided"]))

@@ -24,7 +24,7 @@ def decimal(text):
 
 def size(text):
     """What a decimal or a fraction without a sign stands for; None of other texts."""
-    if len(text) > 1000:
+    if len(text) > 2100:
         return None
     fraction = re.fullmatch(r"([0-9]+)/([0-9]*[1-9][0-9]*)", text)
     return Fraction(int(fraction[1]), int(fraction[2])) if fraction else decimal(text)
@@ -42,7 +42,7 @@ def number(fits, words):
     def read(option, text):
         sign = -1 if text.startswith("-") else 1
         value = size(text[1:] if sign < 0 else text)
-        if value is None or not fits(sign * value):
+        if value is None or (sign < 0 and not fits(-1)) or not fits(sign * value):
             raise Usage(f"{option} needs {words}, not `{text[:60]}`")
         return sign * value
     return read

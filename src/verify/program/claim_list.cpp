@@ -1,5 +1,7 @@
 #include "verify/program/claim_list.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -43,6 +45,13 @@ std::filesystem::path folder_of(const std::filesystem::path& list) {
     return std::filesystem::is_regular_file(list, none) ? list.parent_path() : "";
 }
 
+/// Behind blanks, quotes and the like.
+bool begins_with_option(std::string_view remark) {
+    const auto begins = [](unsigned char c) { return c == '-' || (c < 0x80 && std::isalnum(c) != 0); };
+    return std::string_view(std::find_if(remark.begin(), remark.end(), begins), remark.end())
+        .starts_with("--");
+}
+
 Job parse_row(const std::string& row, const std::filesystem::path& folder, Request settings) {
     const auto fields = split(row, '\t');
     if (fields.size() < 2 || fields[0].empty())
@@ -57,13 +66,16 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Reque
             throw std::invalid_argument("`" + given.word.substr(0, 60) + "` states no claim; see --help");
     state_claim(words, settings);
     for (std::size_t i = 2; i < fields.size(); ++i)
-        if (fields[i].substr(std::min(fields[i].find_first_not_of(' '), fields[i].size())).starts_with("--"))
+        if (begins_with_option(fields[i]))
             throw std::invalid_argument("a demand behind the second tab, where remarks are: put it before");
     const Collisions& demand = settings.demand;
     const auto& numbers = settings.numbers;
+    const auto decided = numbers.find("decided");
+    const bool is_bound = demand.most || (demand.least && *demand.least > 0) ||
+                          (decided != numbers.end() && decided->second.first > 0);
     const bool is_whole = adiabatic::kind_named(settings.claim)
                               ? numbers.contains("delta") && numbers.contains("constant")
-                              : demand.ratios && (demand.most || demand.least || numbers.contains("decided"));
+                              : demand.ratios && is_bound;
     if (settings.claim != "law" && !is_whole)
         throw std::invalid_argument(
             "the claim needs --ratio or a body, and --max, --min, --exactly or --decided; or it is --claim "

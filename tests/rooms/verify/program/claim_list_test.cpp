@@ -75,6 +75,8 @@ TEST_CASE("a list of claims: a row that states none, or a list without rows, is 
               ":1: the claim needs --ratio or a body, and"},
              {"file\t--claim incoming --decided 1\n", ":1: the claim needs --ratio or a body, and"},
              {"file\t--ratio 10 --max 4\t--min 4\n", ":1: a demand behind the second tab"},
+             {"file\t--ratio 10 --max 4\t\"\xc2\xa0--min 4\n", ":1: a demand behind the second tab"},
+             {"file\t--ratio 10 --min 0\n", ":1: the claim needs --ratio or a body, and"},
              {"file\t--ratio 10 --max\n", ":1: no value after --max"},
              {"file\t--ratio 10 --max 4 --max 5\n", ":1: --max is given twice"},
              {"file\t--ratio 10 --max 4 --json\n", ":1: `--json` states no claim"},
