@@ -29,8 +29,9 @@ void progress() {
 Request settings_of(std::vector<std::string> words) {
     Request settings;
     Arguments given(std::move(words));
+    ClaimWords claim;
     while (given.next()) {
-        if (claim_option(given, settings)) continue;
+        if (claim_option(given, claim)) continue;
         given.once();
         if (given.option == "--budget")
             settings.budget = given.time();
@@ -41,7 +42,7 @@ Request settings_of(std::vector<std::string> words) {
         else
             throw std::invalid_argument("unknown option " + given.word.substr(0, 60));
     }
-    require_whole(settings);
+    state_claim(claim, settings);
     return settings;
 }
 

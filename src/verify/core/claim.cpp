@@ -35,7 +35,8 @@ void Known::join(const Known& next) {
     if (!next.first) return;
     if (!last) return void(*this = next);
     widest = std::max({widest, next.widest, mpq_class((*next.first - *last) / *last)});
-    gaps += next.gaps + (*last < *next.first);
+    gaps += next.gaps;
+    if (*last < *next.first) ++gaps;
     last = next.last;
 }
 
@@ -76,7 +77,7 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
 std::string Collisions::missing() const {
     const auto [from, to] = question();
     const std::string range = (rho ? " for every Q in " : " for every mass ratio in ") + to_string(from, to);
-    const auto covered = [&](std::size_t i) { return reached[i] && *reached[i] >= to; };
+    const auto covered = [this, &to = to](std::size_t i) { return reached[i] && *reached[i] >= to; };
     if (from < lo || !covered(0)) {
         const std::string which = (rho ? "Q in " : "the mass ratios ") + to_string(from, to);
         if (hi < from || to < lo) return "nothing is said of " + which + ", only of " + to_string(lo, hi);

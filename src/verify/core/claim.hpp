@@ -33,7 +33,7 @@ struct Bounds {
 struct Known {
     std::optional<mpq_class> first, last;
     mpq_class widest;
-    std::uint64_t gaps = 0;
+    mpz_class gaps = 0;
     void join(const Known& next);  ///< which begins where this ends, or behind
 };
 

@@ -18,7 +18,7 @@ namespace {
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
 
-constexpr std::size_t longest = 1000;  ///< of what parse_rational reads
+constexpr std::size_t longest = 2100;  ///< of what parse_rational reads
 
 /// What a parser makes of it; nothing if it refuses.
 template <class Parse>
@@ -78,10 +78,12 @@ void check_number(const std::string& text) {
 /// The verifier's own reading of --ratio; nothing if it refuses.
 std::optional<std::pair<mpq_class, mpq_class>> of_verifier(const std::string& text) {
     dumbbell_verify::Arguments words({"--ratio", text});
+    dumbbell_verify::ClaimWords claim;
     dumbbell_verify::Request settings;
     words.next();
     try {
-        dumbbell_verify::claim_option(words, settings);
+        dumbbell_verify::claim_option(words, claim);
+        dumbbell_verify::state_claim(claim, settings);
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }

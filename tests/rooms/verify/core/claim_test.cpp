@@ -114,7 +114,7 @@ TEST_CASE("gaps that touch are one, and end with the range in question") {
         const auto all = claim.whole();
         return std::pair(all.gaps, all.widest);
     };
-    using Said = std::pair<std::uint64_t, mpq_class>;
+    using Said = std::pair<mpz_class, mpq_class>;
     const std::vector<Piece> touching = {{1, 2, 3, 3}, {2, 3, 4, 3}, {3, 4, 5, 4}, {4, 8, 5, 5}};
     CHECK((said(touching, 1, 8) == Said(1, 1)));
     CHECK((said(touching, 3, 8) == Said(1, mpq_class(1, 3))));
