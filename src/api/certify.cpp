@@ -8,6 +8,7 @@
 #include "api/translate.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "number/parallel.hpp"
@@ -25,8 +26,7 @@ collisions::Section section_of(Section section) {
 
 collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
     collisions::CertifyRequest request;
-    request.q_lo = exact_ratio(ratio.lo());
-    request.q_hi = exact_ratio(ratio.hi());
+    request.claim.range = {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())};
     // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
     // back.
     if (std::max(ratio.lo().size(), ratio.hi().size()) > 2040) {
@@ -34,8 +34,8 @@ collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptio
             "the mass ratio has too many digits for a certificate: its fraction is longer "
             "than 2040 characters");
     }
-    request.gap = parse_gap(options.gap);
-    request.section = section_of(options.section);
+    request.claim.gap = parse_gap(options.gap);
+    request.claim.system.section = section_of(options.section);
     request.jobs = checked_jobs(options.jobs);
     request.budget = options.budget;
     request.describes = false;
@@ -51,7 +51,7 @@ Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
     const CallerStops stops(options.stopped);
     const collisions::CertifyRequest request = request_of(ratio, options);
     collisions::Certificate certificate;
-    certificate.section = request.section;
+    certificate.system = request.claim.system;
     Proof proof;
     for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
         proof.pieces.push_back(given(certificate.pieces.emplace_back(std::move(proved.piece))));
@@ -84,7 +84,7 @@ Proof read_proof(std::string_view text) {
     return guarded([&] {
         const NamedFile source("the certificate", text);
         const collisions::Certificate certificate = collisions::read_certificate(source);
-        if (certificate.scene != collisions::Scene::dumbbell || certificate.sha256.empty()) {
+        if (!row_of(certificate.system.section).has_orbits || certificate.sha256.empty()) {
             throw dumbbell::InputError("the certificate is damaged, or not about N(q)");
         }
         Proof proof;

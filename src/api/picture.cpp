@@ -38,7 +38,7 @@ std::string picture(const Proof& proof) {
         if (certificate.q_hi() > flight::paper_bound_limit()) {
             throw dumbbell::InputError("no picture reaches beyond the mass ratio 3e31");
         }
-        return pictures::staircase_svg(certificate.pieces, certificate.scene);
+        return pictures::staircase_svg(certificate);
     });
 }
 

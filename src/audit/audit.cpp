@@ -6,10 +6,10 @@
 
 #include "audit/tiling.hpp"
 #include "base/error.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/leaf_boxes.hpp"
-#include "collisions/names.hpp"
 #include "collisions/reader.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 
 namespace dumbbell::audit {
 
@@ -30,7 +30,7 @@ std::string shown(const Rational& x) {
 /// `leaf 7 (e 1/2..1/1, eta 0/1..4/1, q 10/1..10/1)`
 std::string leaf_text(const Boxes& boxes, Chart chart, std::size_t index) {
     std::string ranges;
-    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
+    for (const Axis axis : collisions::all_axes) {
         const auto number = static_cast<std::size_t>(axis);
         if (boxes.hi(boxes.root, number) == 0) {
             continue;  // the chart wedge has no position, only bodies have a rho
@@ -94,9 +94,9 @@ class Auditor {
   public:
     Auditor(const Certificate& certificate, Observer& observer)
         : observer_(observer),
-          heights_(certificate.heights),
+          system_(certificate.system),
           total_(leaves_of(certificate)),
-          needed_(collisions::row_of(certificate.scene).charts(certificate.section)) {}
+          needed_(collisions::row_of(certificate.system.section).charts) {}
 
     void add(const Piece& piece) {
         ++result.pieces;
@@ -127,9 +127,9 @@ class Auditor {
   private:
     void add(const Piece& piece, const collisions::ChartTree& tree) {
         ++result.charts;
-        const std::string where = fmt::format(", chart {}", name(tree.chart));
+        const std::string where = fmt::format(", chart {}", row_of(tree.chart).name);
         try {
-            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree, heights_);
+            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree, system_);
             const std::size_t before = result.leaves;
             const Tiling tiling = check_tiling(boxes, [&](double done) {
                 show(before + static_cast<std::size_t>(done * static_cast<double>(boxes.leaves.size())));
@@ -156,9 +156,9 @@ class Auditor {
     }
 
     Observer& observer_;
-    std::optional<collisions::Heights> heights_;
+    collisions::System system_;
     std::size_t total_;
-    std::vector<Chart> needed_;
+    std::span<const Chart> needed_;
 };
 
 }  // namespace
@@ -183,7 +183,7 @@ Audit audit_file(const std::string& path, Observer& observer) {
             path));
     }
     observer.enter("auditing", "leaves");
-    return audit(certificate, {head.q_lo, head.q_hi}, observer);
+    return audit(certificate, {head.range.lo, head.range.hi}, observer);
 }
 
 }  // namespace dumbbell::audit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,31 +16,36 @@
 /// verifier does.
 namespace dumbbell::collisions {
 
-/// The system: the dumbbell, one of the source paper's model wedges (lemmas L17, L18), or a rigid body with
-/// mass between its contacts (body.md).
-enum class Scene { dumbbell, hybrid, wedge, body };
-
-/// Of bodies: rho = d2/d1, in [lo, hi] for all of a certificate. What is the mass ratio of others is Q =
-/// (d1/k)^2.
-struct Heights {
+/// A closed range of exact numbers: mass ratios, or of bodies Q = (d1/k)^2 or rho = d2/d1.
+struct Range {
     Rational lo, hi;
+
+    [[nodiscard]] bool is_single() const { return lo == hi; }
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// What a cover covers: the turning collisions and the bridge contacts (L8, L9), or all collision states,
-/// counted forward only (L15); `plain` is the latter without monotonicity (L16).
-enum class Section { turning, full, plain };
+/// What is covered. Of the dumbbell: the turning collisions and the bridge contacts (L8, L9), all collision
+/// states, counted forward only (L15), or the latter without monotonicity (L16). All collision states of
+/// rigid bodies with mass between their contacts (body.md). The turning collisions of the source paper's
+/// model wedges (L17, L18). What is known of each is a row (section.hpp).
+enum class Section { turning, full, plain, body, hybrid, wedge };
 
-/// A family of states that boxes cover. Turning section of the dumbbell: contacts with the bridge (L8), and
-/// turning collisions with a light wall of trajectories that never touch the bridge (L9). Full section:
-/// contacts with the bridge and departures from a light wall in any direction (L15), and once more the
-/// contacts, for what comes back to the bridge (L19). Model wedges: slopes of turning collisions (L17, L18).
-/// `corner` is for witnesses of bodies only: orbits near the corner (L73).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, corner };
+/// What moves, and what of its states is covered.
+struct System {
+    Section section = Section::turning;
+    std::optional<Range> rho = {};  ///< of bodies, and of nothing else
+
+    friend bool operator==(const System&, const System&) = default;
+};
+
+/// A family of states that boxes cover, of a section (sections/). What is known of each is a row (chart.hpp).
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light), the mass ratio q, and rho of bodies.
 enum class Axis : std::uint8_t { position, slope, ratio, rho };
-inline constexpr std::size_t axis_count = 4;
+inline constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio, Axis::rho};
+inline constexpr std::size_t axis_count = all_axes.size();
 
 /// The one reason for which a leaf's states need no further look (format.md, sections 3.3 and 3.4).
 enum class Reason : std::uint8_t { count, outside, meets, meets_reversed, once };
@@ -75,15 +81,16 @@ struct Cover {
 };
 
 /// A collision from which at least `forward` later and `backward` earlier collisions are certain, for every
-/// ratio of its piece: 1 + forward + backward in all. Chart bridge: the contact at corner distance e and
-/// steepness eta (L11). Chart wedge: a collision with scaled slope lambda in place of eta; it has no scale,
-/// e = 0 (L17, L18). Chart corner: e = eta = 0.
+/// ratio of its piece: 1 + forward + backward in all. On the bridge: the contact at corner distance e and
+/// steepness eta (L11). In a wedge: a collision with scaled slope lambda in place of eta; it has no scale,
+/// e = 0 (L17, L18). In the corner of a body (L73): e = eta = 0.
+enum class Place { bridge, wedge, corner };
 struct Witness {
     Rational e;
     Rational eta;
     Count forward{};
     Count backward{};
-    Chart chart = Chart::bridge;
+    Place place = Place::bridge;
 
     [[nodiscard]] Count total() const { return 1 + forward + backward; }
 };
@@ -107,13 +114,12 @@ struct Piece {
 struct Certificate {
     Generator generator{};
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends; not empty
-    Scene scene = Scene::dumbbell;
-    Section section = Section::turning;
-    std::optional<Heights> heights{};  ///< of the scene body
+    System system{};
     std::string sha256{};  ///< as its last line has it, if that is right; empty unless it was read
 
     [[nodiscard]] const Rational& q_lo() const { return pieces.front().q_lo; }
     [[nodiscard]] const Rational& q_hi() const { return pieces.back().q_hi; }
+    [[nodiscard]] Range range() const { return {q_lo(), q_hi()}; }
 };
 
 }  // namespace dumbbell::collisions

@@ -1,16 +1,14 @@
 #include "collisions/certify.hpp"
 
-#include <fmt/core.h>
-
+#include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "base/deadline.hpp"
-#include "base/printable.hpp"
-#include "collisions/body/halving.hpp"
+#include "collisions/halving.hpp"
 #include "collisions/plan.hpp"
-#include "collisions/scene.hpp"
-#include "number/decimal.hpp"
+#include "collisions/section.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
@@ -73,108 +71,84 @@ std::vector<ProvedPiece> recalled_beginning(const CertifyRequest& request, const
     return recalled;
 }
 
-/// Symmetric bodies step where the wedges do (L72).
-Scene staircase_of(const CertifyRequest& request) {
-    const bool is_symmetric = request.heights && request.heights->lo == 1;
-    return is_symmetric ? Scene::wedge : request.scene;
-}
-
-std::vector<ProvedPiece> prove_in_halves(const CertifyRequest& request, PieceOptions options) {
-    options.max_nodes = 1'000'000;  // before it is halved
-    const auto& bounds = std::get<BoundSearch<Interval>>(row_of(request.scene).bounds);
-    const auto prove = [&](const Rational& q_lo, const Rational& q_hi, long upper, long lower) {
-        request.observer->advance(1);
-        return options.interrupted() ? open_piece(q_lo, q_hi)
-                                     : timed([&] { return prove_piece(q_lo, q_hi, upper, lower, options); });
-    };
-    const auto maximum = [&](const Rational& q) {
-        return options.interrupted() ? std::nullopt : bounds.maximum(q, options.heights, options.interrupted);
-    };
-    return prove_halved(request.q_lo, request.q_hi, {maximum, prove, request.gap});
-}
+/// A planner's pieces to be proved next, and about how many follow them.
+struct Batch {
+    std::vector<PlannedPiece> pieces;
+    std::size_t beyond = 0;
+};
 
 /// Steps are looked for, and pieces proved between them, part by part: what is found in time is not lost.
-std::vector<ProvedPiece> prove_range(const CertifyRequest& request, const PieceOptions& options) {
-    std::vector<ProvedPiece> pieces = recalled_beginning(request, options);
-    std::atomic<std::size_t> finished = pieces.size();
-    Observer* looking = request.observer;
-    while (pieces.empty() || pieces.back().piece.q_hi < request.q_hi) {
-        const Rational from = pieces.empty() ? request.q_lo : pieces.back().piece.q_hi;
-        const Plan plan = plan_staircase(staircase_of(request), from, request.q_hi, request.gap,
-                                         options.interrupted, *looking);
-        if (plan.pieces.empty()) {
-            pieces.push_back(open_piece(from, request.q_hi));
-            break;
+auto plan_steps(const CertifyRequest& request, const PieceOptions& options, const Rational& from) {
+    return [&, reached = from, looking = request.observer](const std::vector<ProvedPiece>&) mutable -> Batch {
+        const Range& range = request.claim.range;
+        if (reached == range.hi) {
+            return {};
         }
-        request.observer->enter("proving", "pieces");
+        Plan plan = plan_staircase(request.claim, reached, options.interrupted, *looking);
+        if (plan.pieces.empty()) {  // it is interrupted
+            plan.pieces.push_back({reached, range.hi, 1, 0});
+        }
         looking = &nobody;
-        const std::size_t before = pieces.size();
-        pieces.resize(before + plan.pieces.size());
-        const std::size_t total = pieces.size() + 2 * plan.steps_beyond;
-        in_parallel(plan.pieces.size(), [&](std::size_t i) {
-            const PlannedPiece& planned = plan.pieces[i];
-            pieces[before + i] = timed([&] { return prove_or_recall(planned, request, options); });
-            request.observer->update(++finished, total, planned.upper);
+        reached = plan.pieces.back().q_hi;
+        return {std::move(plan.pieces), 2 * plan.steps_beyond};
+    };
+}
+
+/// The one loop over a range: what a planner plans is proved, or recalled.
+template <class Planner>
+std::vector<ProvedPiece> prove_range(std::vector<ProvedPiece> pieces, Planner next,
+                                     const CertifyRequest& request, PieceOptions options) {
+    std::atomic<std::size_t> finished = pieces.size();
+    std::vector<ProvedPiece> proved;
+    for (Batch batch = next(proved); !batch.pieces.empty(); batch = next(proved)) {
+        std::ranges::move(proved, std::back_inserter(pieces));
+        proved.assign(batch.pieces.size(), {});
+        request.observer->enter("proving", "pieces");
+        options.parallel = batch.pieces.size() < static_cast<std::size_t>(request.jobs);
+        const std::size_t total = finished + proved.size() + batch.beyond;
+        in_parallel(proved.size(), [&](std::size_t i) {
+            proved[i] = timed([&] { return prove_or_recall(batch.pieces[i], request, options); });
+            request.observer->update(++finished, total, batch.pieces[i].upper);
         });
     }
+    std::ranges::move(proved, std::back_inserter(pieces));
+    std::ranges::sort(pieces, {}, [](const ProvedPiece& p) { return std::pair(p.piece.q_lo, p.piece.q_hi); });
     return pieces;
+}
+
+std::vector<ProvedPiece> prove_range(const CertifyRequest& request, PieceOptions options) {
+    if (staircase_of(request.claim.system).step) {
+        auto recalled = recalled_beginning(request, options);
+        const Rational from = recalled.empty() ? request.claim.range.lo : recalled.back().piece.q_hi;
+        return prove_range(std::move(recalled), plan_steps(request, options, from), request, options);
+    }
+    options.max_nodes = 1'000'000;  // before it is halved
+    Halving halving(request.claim, request.store, options.interrupted);
+    const auto next = [&](std::vector<ProvedPiece>& proved) { return Batch{halving.next(proved)}; };
+    return prove_range({}, next, request, options);
 }
 
 }  // namespace
 
-bool fit_a_line(const Rational& x, const Rational& y) {
-    constexpr std::size_t most = 4084;  // of 4096 bytes, without the line's word
-    return to_fraction(x).size() + to_fraction(y).size() <= most;
-}
-
-std::optional<std::string> out_of_reach(const Rational& q_lo, const Rational& q_hi, Scene scene,
-                                        Section section) {
-    constexpr int common = SceneRow{}.most_digits;
-    const bool single = q_lo == q_hi && section == Section::turning;
-    const int most = single ? row_of(scene).most_digits : common;
-    const bool far = most > common;
-    if (!fit_a_line(q_lo, q_hi)) {
-        return fmt::format("{} is too long for a line of a certificate: write fewer digits",
-                           printable(exact_text(q_lo), 40));
-    }
-    if (q_hi <= Rational(pow(Integer(10), static_cast<unsigned>(most)))) {
-        return std::nullopt;
-    }
-    const std::string q = exact_text(q_hi);
-    if (scene == Scene::body) {
-        return fmt::format("Q = {} is beyond 10^{}, the greatest that is tried", printable(q, 40), most);
-    }
-    return fmt::format(
-        "the mass ratio {} is beyond 10^{}, the greatest that is tried{}: one orbit has about 10^{} "
-        "collisions there{}",
-        printable(q, 40), most, far ? "" : " except for a single ratio of the dumbbell (section turning)",
-        most / 2,
-        far ? "; what the law for every mass ratio says: dumbbell law --ratio " +
-                  (q.size() > 40 ? "RATIO" : q)
-            : "");
-}
-
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     require_sound_arithmetic();
-    if (out_of_reach(request.q_lo, request.q_hi, request.scene, request.section)) {
-        return {open_piece(request.q_lo, request.q_hi)};
+    const auto& [range, system, gap, rod] = request.claim;
+    if (out_of_reach(request.claim)) {
+        return {open_piece(range.lo, range.hi)};
     }
-    PieceOptions options = piece_options(request.scene, request.section);
-    options.describes = request.describes && row_of(request.scene).has_orbits;
-    options.heights = request.heights;
+    PieceOptions options = piece_options(system);
+    options.describes = request.describes && row_of(system.section).has_orbits;
     options.interrupted = deadline(request.budget);
-    return with_threads(request.jobs, [&]() -> std::vector<ProvedPiece> {
-        if (request.q_lo == request.q_hi) {
-            options.parallel = true;
-            options.observer = request.observer;
-            std::vector<ProvedPiece> alone;  // moved to: its trees can be large
-            alone.push_back(options.interrupted() ? open_piece(request.q_lo, request.q_hi) : timed([&] {
-                return prove_single(request.q_lo, options);
-            }));
-            return alone;
+    return with_threads(request.jobs, [&, &ratio = range.lo] {
+        if (!request.claim.range.is_single()) {
+            return prove_range(request, options);
         }
-        return row_of(staircase_of(request)).step ? prove_range(request, options)
-                                                  : prove_in_halves(request, options);
+        options.parallel = true;
+        options.observer = request.observer;
+        std::vector<ProvedPiece> alone;  // moved to: its trees can be large
+        alone.push_back(options.interrupted() ? open_piece(ratio, ratio)
+                                              : timed([&] { return prove_single(ratio, options); }));
+        return alone;
     });
 }
 

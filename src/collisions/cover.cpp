@@ -54,39 +54,36 @@ std::vector<bool> would_close(Chart chart, std::span<const Box> boxes,
     return wide;
 }
 
-/// Whether the chart's bounds use both ends of the ratio, so that its width counts like that of a state's
-/// coordinate.
-bool depends_on_both_ratios(Chart chart) {
-    return chart == Chart::departure || chart == Chart::plain_departure || chart == Chart::plain_contact ||
-           chart == Chart::again;
-}
+double width(const Side& side) { return width(side.lo, side.hi); }
 
 /// Only the greatest ratio (the least r, where most bounds are). Only while the ratio is not already narrow
 /// against the state: at a ratio where the answer changes this would never end.
 std::optional<Box> with_greatest_ratio(Chart chart, const Box& box) {
-    const double state = std::max(width(box.e_lo, box.e_hi), width(box.slope_lo, box.slope_hi));
-    if (depends_on_both_ratios(chart) || 16 * width(box.q_lo, box.q_hi) <= state * approximate(box.q_lo)) {
+    const double state = std::max(width(box[Axis::position]), width(box[Axis::slope]));
+    if (row_of(chart).needs_both_ratios ||
+        16 * width(box[Axis::ratio]) <= state * approximate(box[Axis::ratio].lo)) {
         return std::nullopt;
     }
     Box thin = box;
-    thin.q_lo = thin.q_hi;
+    thin[Axis::ratio].lo = thin[Axis::ratio].hi;
     return thin;
 }
 
 Axis longest_side(Chart chart, const Box& box) {
     // How many units of slope one unit of position is worth.
-    const double position_weight = chart == Chart::light ? approximate(box.q_hi) : 1;
-    const double position = width(box.e_lo, box.e_hi) * position_weight;
-    const double slope = width(box.slope_lo, box.slope_hi);
-    const double rho = width(box.rho_lo, box.rho_hi) / 2;
+    const double position_weight =
+        row_of(chart).counts_at_least_position ? approximate(box[Axis::ratio].hi) : 1;
+    const double position = width(box[Axis::position]) * position_weight;
+    const double slope = width(box[Axis::slope]);
+    const double rho = width(box[Axis::rho]) / 2;
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
     // evaluation takes 3 to 6 times as many boxes with equal weights, and with a range of rho, on which the
     // height of the bridge depends, 2 times as many with a weight of 1/16 as with 1/64.
-    const double ratio = width(box.q_lo, box.q_hi) / ((rho > 0 ? 64 : 8) * approximate(box.q_lo));
+    const double ratio = width(box[Axis::ratio]) / ((rho > 0 ? 64 : 8) * approximate(box[Axis::ratio].lo));
     if (rho > std::max({position, slope, ratio})) {
         return Axis::rho;
     }
-    if (depends_on_both_ratios(chart) && ratio > std::max(position, slope)) {
+    if (row_of(chart).needs_both_ratios && ratio > std::max(position, slope)) {
         return Axis::ratio;
     }
     return position > slope ? Axis::position : Axis::slope;
@@ -95,25 +92,25 @@ Axis longest_side(Chart chart, const Box& box) {
 /// Both counts of a box of the light chart are at its least position (L9): the half that keeps it would be as
 /// open as the box. Only the other reasons there depend on the greatest one.
 bool is_bounded_at_least_position(Chart chart, const Box& box) {
-    return chart == Chart::light && approximate(box.e_hi) <= 1;
+    return row_of(chart).counts_at_least_position && approximate(box[Axis::position].hi) <= 1;
 }
 
 /// Where those other reasons may be near: not while the slope is far beyond all turning collisions (up to 4),
 /// and while the position is the longest side, for along the edge of what touches the bridge both are too
 /// wide.
 std::optional<Box> with_least_position(Chart chart, const Box& box) {
-    if (!is_bounded_at_least_position(chart, box) || width(box.slope_lo, box.slope_hi) > 4 ||
+    if (!is_bounded_at_least_position(chart, box) || width(box[Axis::slope]) > 4 ||
         longest_side(chart, box) != Axis::position) {
         return std::nullopt;
     }
     Box thin = box;
-    thin.e_hi = thin.e_lo;
+    thin[Axis::position].hi = thin[Axis::position].lo;
     return thin;
 }
 
 Axis axis_to_split(Chart chart, const Box& box) {
-    if (chart == Chart::bridge) {
-        return Axis::position;  // both counts are at the least slope (L8)
+    if (row_of(chart).splits_position_only) {
+        return Axis::position;
     }
     if (is_bounded_at_least_position(chart, box)) {
         return Axis::slope;
@@ -128,9 +125,8 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
                           const CoverOptions& options) {
     require(upper >= 1, "cover: an upper bound is at least 1");
     Box root = root_box(chart, q_lo, q_hi);
-    if (options.heights) {
-        root.rho_lo = options.heights->lo;
-        root.rho_hi = options.heights->hi;
+    if (options.system.rho) {
+        root[Axis::rho] = {options.system.rho->lo, options.system.rho->hi};
     }
     GrowingTree<Node, Box, axis_count> tree(std::move(root), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {

@@ -6,7 +6,6 @@
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
 #include "collisions/leaf.hpp"
-#include "collisions/section.hpp"
 
 namespace dumbbell::collisions {
 
@@ -15,8 +14,8 @@ struct CoverOptions {
     int max_depth = 400;            ///< per axis; the format's limit
     bool parallel = false;          ///< judge the boxes of a generation on all of the calling arena's threads
     Interrupted interrupted = never;
-    Observer* observer = &nobody;         ///< told of boxes that are judged
-    std::optional<Heights> heights = {};  ///< of bodies
+    Observer* observer = &nobody;  ///< told of boxes that are judged
+    System system = {};
 };
 
 /// A bisection tree of the chart over mass ratios [q_lo, q_hi], each leaf of which closes for "at most

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "base/interrupted.hpp"
-#include "collisions/section.hpp"
+#include "collisions/chart.hpp"
 
 namespace dumbbell::collisions {
 

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/error.hpp"
-#include "collisions/names.hpp"
+#include "collisions/chart.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -16,20 +16,6 @@ struct Waiting {
     std::array<int, axis_count> splits{};
 };
 
-std::size_t index_of(Axis axis) {
-    switch (axis) {
-        case Axis::position:
-            return 0;
-        case Axis::slope:
-            return 1;
-        case Axis::ratio:
-            return 2;
-        case Axis::rho:
-            return 3;
-    }
-    throw BrokenInvariant("unknown axis");
-}
-
 /// 2^k with the least integer k >= 0 such that 2^k >= bound.
 Rational power_of_two_for(const Rational& bound) {
     Integer power = 1;
@@ -39,41 +25,14 @@ Rational power_of_two_for(const Rational& bound) {
     return power;
 }
 
-/// The greatest position: e <= 2 (format.md 3.1, format-sections.md), t <= 4 in `contact`.
-Rational greatest_position(Chart chart) {
-    switch (chart) {
-        case Chart::bridge:
-        case Chart::light:
-        case Chart::departure:
-        case Chart::plain_departure:
-            return 2;
-        case Chart::contact:
-        case Chart::plain_contact:
-        case Chart::again:
-            return 4;
-        case Chart::wedge:
-        case Chart::corner:
-            return 0;
-    }
-    throw BrokenInvariant("unknown chart");
+/// The greatest position: e <= 2 (format.md 3.1, format-sections.md), t <= 4.
+Rational greatest_position(const ChartRow& chart) {
+    return chart.position == "t" ? 4 : chart.name == "wedge" ? 0 : 2;
 }
 
-Rational greatest_slope(Chart chart, const Rational& q_hi) {
-    switch (chart) {
-        case Chart::bridge:
-        case Chart::light:
-        case Chart::wedge:
-        case Chart::corner:
-            return power_of_two_for(q_hi);
-        case Chart::contact:
-        case Chart::plain_contact:
-        case Chart::again:
-            return power_of_two_for(q_hi + 1);
-        case Chart::departure:
-        case Chart::plain_departure:
-            return 2;
-    }
-    throw BrokenInvariant("unknown chart");
+Rational greatest_slope(const ChartRow& chart, const Rational& q_hi) {
+    return chart.name == "departure" ? Rational(2)
+                                     : power_of_two_for(chart.position == "t" ? q_hi + 1 : q_hi);
 }
 
 }  // namespace
@@ -89,18 +48,17 @@ BoxEnds Boxes::box(const std::array<Rational, axis_count>& lo, const std::array<
     return ends;
 }
 
-Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi,
-              const std::optional<Heights>& heights) {
-    const auto [rho_lo, rho_hi] = heights.value_or(Heights{});
+Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi, const System& system) {
+    const auto [rho_lo, rho_hi] = system.rho.value_or(Range{});
     Boxes boxes;
-    boxes.root = boxes.box({0, 0, q_lo, rho_lo},
-                           {greatest_position(chart), greatest_slope(chart, q_hi), q_hi, rho_hi});
+    boxes.root = boxes.box({0, 0, q_lo, rho_lo}, {greatest_position(row_of(chart)),
+                                                  greatest_slope(row_of(chart), q_hi), q_hi, rho_hi});
     return boxes;
 }
 
 Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
-                 const std::optional<Heights>& heights) {
-    Boxes boxes = root_of(chart, q_lo, q_hi, heights);
+                 const System& system) {
+    Boxes boxes = root_of(chart, q_lo, q_hi, system);
     std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
     for (const Node& node : tree) {
         if (waiting.empty()) {
@@ -112,9 +70,9 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
             boxes.leaves.push_back(box);
             continue;
         }
-        const std::size_t axis = index_of(*node.split);
+        const std::size_t axis = static_cast<std::size_t>(*node.split);
         if (boxes.hi(boxes.root, axis) == 0) {
-            throw InputError(fmt::format("the chart {} has no {} to split", name(chart),
+            throw InputError(fmt::format("the chart {} has no {} to split", row_of(chart).name,
                                          *node.split == Axis::rho ? "rho" : "position"));
         }
         if (++splits[axis] > most_splits) {

@@ -9,7 +9,7 @@
 #include "number/rational.hpp"
 
 /// The leaf boxes of a certificate's tree as exact rationals, derived from format.md and
-/// format-sections.md alone, for pictures and the audit: nothing here is shared with section.hpp.
+/// format-sections.md alone, for pictures and the audit: nothing here is shared with chart.hpp but the words.
 namespace dumbbell::collisions {
 
 /// A closed box: for each Axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
@@ -40,12 +40,12 @@ struct Boxes {
 /// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
 /// position: [0, 0]. What is no body has no rho: [0, 0].
 [[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi,
-                            const std::optional<Heights>& heights = {});
+                            const System& system = {});
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
 /// Throws InputError if nodes follow its end, if an axis that is not there is split, or if one is split more
 /// than 400 times above a node (format.md).
 [[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
-                               const std::optional<Heights>& heights = {});
+                               const System& system = {});
 
 }  // namespace dumbbell::collisions

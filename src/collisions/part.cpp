@@ -1,6 +1,6 @@
 #include "collisions/part.hpp"
 
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -18,16 +18,37 @@ Rational between_steps(const Integer& halves, const Rational& growth) {
     return {numerator(hundredths) / denominator(hundredths), 100};
 }
 
+/// The end of so many parts of equal width, rounded to a thousandth of that.
+Rational even_cut(const Range& whole, long parts, long of) {
+    const Rational width = (whole.hi - whole.lo) / of;
+    Rational unit = 1;
+    while (unit > width / 1000) {
+        unit /= 10;
+    }
+    const Rational units = (whole.lo + parts * width) / unit;
+    return numerator(units) / denominator(units) * unit;
+}
+
 }  // namespace
 
-RatioPart part_of(const Part& part, Scene scene, const Rational& q_lo, const Rational& q_hi) {
-    // Measured from 1 to 10^10 (--gap 1e-9): a step at growth sqrt q = x takes about 8 us (70 + x), at least
-    // 0.6 and at most 1.6 times that. Its two pieces follow orbits of about x collisions.
-    constexpr long fixed = 70;
-    const Rational growth = parse_rational(row_of(scene).growth);
-    const auto [first, end] = steps_of(part, {halves_up_to(q_lo, growth), halves_up_to(q_hi, growth), fixed});
-    return {part, q_lo, q_hi, part.number == 1 ? q_lo : between_steps(first, growth),
-            part.number == part.of ? q_hi : between_steps(end, growth)};
+RatioPart part_of(const Part& part, const Claim& claim) {
+    const Range& whole = claim.range;
+    const SectionRow& row = staircase_of(claim.system);
+    std::pair<Rational, Rational> ends;
+    if (row.step) {
+        // Measured from 1 to 10^10 (--gap 1e-9): a step at growth sqrt q = x takes about 8 us (70 + x), at
+        // least 0.6 and at most 1.6 times that. Its two pieces follow orbits of about x collisions.
+        constexpr long fixed = 70;
+        const Rational growth = parse_rational(row.growth);
+        const auto [first, end] =
+            steps_of(part, {halves_up_to(whole.lo, growth), halves_up_to(whole.hi, growth), fixed});
+        ends = {between_steps(first, growth), between_steps(end, growth)};
+    } else {
+        ends = {even_cut(whole, part.number - 1, part.of), even_cut(whole, part.number, part.of)};
+    }
+    return {part,
+            whole,
+            {part.number == 1 ? whole.lo : ends.first, part.number == part.of ? whole.hi : ends.second}};
 }
 
 }  // namespace dumbbell::collisions

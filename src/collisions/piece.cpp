@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <atomic>
 
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "flight/count.hpp"
+#include "flight/macro/when.hpp"
 #include "flight/orbit.hpp"
 
 namespace dumbbell::collisions {
 namespace {
-
-constexpr int most_in_file = 4096,
-              more_in_file = 32;  ///< bits: of any file, and than here next to critical ratios
 
 /// Calls attempt with a null value of the arithmetic for each precision in turn until it meets no obstacle.
 template <class Attempt>
@@ -32,15 +30,16 @@ Obstacle escalate(const PieceOptions& options, Attempt attempt) {
 template <class I>
 std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, const Count& upper,
                                  const PieceOptions& options) {
-    if (auto known = row_of(options.scene).by_lemma(q_lo, q_hi, upper, options.heights)) {
+    const SectionRow& row = row_of(options.system.section);
+    if (auto known = row.by_lemma ? row.by_lemma({q_lo, q_hi}, upper, options.system) : std::nullopt) {
         return known;
     }
     const CoverOptions limits{.max_nodes = options.max_nodes,
                               .parallel = options.parallel,
                               .interrupted = options.interrupted,
                               .observer = options.observer,
-                              .heights = options.heights};
-    const std::vector<Chart> charts = row_of(options.scene).charts(options.section);
+                              .system = options.system};
+    const std::span<const Chart> charts = row.charts;
     std::vector<std::optional<Tree>> trees(charts.size());
     std::atomic<bool> all = true;
     flight::each_count<I>(charts.size(), [&](std::size_t i) {
@@ -96,29 +95,30 @@ template <class I>
 Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const PieceOptions& options) {
     Piece& piece = proved.piece;
     const auto& [upper, lower, greatest, least, is_suspected] = goal;
-    const auto& bounds = std::get<BoundSearch<I>>(row_of(options.scene).bounds);
-    if (!is_suspected && !bounds.may_reach(lower, least, options.interrupted)) {
+    const SectionRow& row = row_of(options.system.section);
+    const auto& bounds = std::get<BoundSearch<I>>(row.bounds);
+    if (!is_suspected && bounds.may_reach && !bounds.may_reach(lower, least, options.interrupted)) {
         return Obstacle::witness;
     }
-    auto witness = bounds.witness(least, piece.q_hi, lower, options.heights, options.interrupted);
+    auto witness = bounds.witness({least, piece.q_hi}, lower, options.system, options.interrupted);
     if (!witness) {
         return Obstacle::witness;
     }
     // The verifier evaluates in another way, and loses some bits more: of the section turning about eight
     // next to critical ratios, of others up to a third of its own. With few bits the macro steps of long
     // orbits (L42) end too early, and collisions one after the other are too many.
-    constexpr long least_long = 10'000;
-    const bool is_close = options.section == Section::turning && upper < least_long;
-    const bool is_double = bits == double_bits && options.scene != Scene::body;
-    const int bits_of_file = is_double ? double_bits : is_close ? bits + more_in_file : 2 * bits;
-    if (bits_of_file > most_in_file) {
+    const bool is_close = row.bits_to_verify > 0 && upper < flight::macro::least_with_few_bits;
+    const bool is_double = bits == double_bits && !options.system.rho;
+    const int bits_of_file = is_double ? double_bits : is_close ? bits + row.bits_to_verify : 2 * bits;
+    if (bits_of_file > most_bits) {
         return Obstacle::maximum;
     }
     piece.bits = bits_of_file;
     piece.lower = lower;
     piece.witness = std::move(*witness);
     // At 1 equal masses need no cover.
-    if (!is_suspected && greatest > 1 && !bounds.may_stay(upper, greatest, options.interrupted)) {
+    if (!is_suspected && greatest > 1 && bounds.may_stay &&
+        !bounds.may_stay(upper, greatest, options.interrupted)) {
         return Obstacle::boxes;
     }
     auto cover = prove_upper<I>(piece.q_lo, greatest, upper, options);
@@ -149,23 +149,15 @@ ProvedPiece proved_between(const Rational& q_lo, const Rational& q_hi, const Goa
 
 }  // namespace
 
-PieceOptions piece_options(Scene scene, Section section) {
-    PieceOptions options{.scene = scene, .section = section};
-    if (section == Section::turning) {
-        options.max_bits = most_in_file - more_in_file;
-    } else {
-        options.max_nodes = 20'000'000;  // all states, not a section of them
-    }
-    if (scene == Scene::body) {
-        options.max_bits = double_bits;  // what it leaves open is next to a tie
-    }
-    return options;
+PieceOptions piece_options(const System& system) {
+    const SectionRow& row = row_of(system.section);
+    return {.system = system, .max_bits = row.max_bits, .max_nodes = row.max_nodes};
 }
 
 void describe_witness(ProvedPiece& proved) {
     const Piece& piece = proved.piece;
     constexpr long most = 100'000;  // collisions: they are looked at one by one
-    if (!piece.witness || piece.witness->chart != Chart::bridge || piece.witness->total() > most) {
+    if (!piece.witness || piece.witness->place != Place::bridge || piece.witness->total() > most) {
         return;
     }
     const PrecisionScope scope(piece.bits);
@@ -180,8 +172,8 @@ ProvedPiece prove_single(const Rational& q, const PieceOptions& options) {
     ProvedPiece proved;
     proved.piece.q_lo = proved.piece.q_hi = q;
     proved.obstacle = escalate(options, [&]<class I>(const I&, int bits) {
-        const auto n = std::get<BoundSearch<I>>(row_of(options.scene).bounds)
-                           .maximum(q, options.heights, options.interrupted);
+        const auto n = std::get<BoundSearch<I>>(row_of(options.system.section).bounds)
+                           .maximum(q, options.system, options.interrupted);
         return n ? attempt_piece<I>(proved, bits, {*n, *n, q, q, true}, options) : Obstacle::maximum;
     });
     describe_in_time(proved, options);

@@ -7,21 +7,19 @@
 namespace dumbbell::collisions {
 
 struct PieceOptions {
-    Scene scene = Scene::dumbbell;
-    Section section = Section::turning;
+    System system = {};
     bool parallel = false;  ///< use the arena's threads inside one piece
     /// The precision escalates up to here: 53 (double), then 128, 256, ... The file allows the verifier twice
     /// as many, or next to critical ratios a few more, and the format no more than 4096.
     int max_bits = 2048;
     std::size_t max_nodes = CoverOptions{}.max_nodes;
     Interrupted interrupted = never;
-    Observer* observer = &nobody;         ///< told of boxes that are judged
-    std::optional<Heights> heights = {};  ///< of the scene body
-    bool describes = true;                ///< margin and width of the witness orbit, for people, are wanted
+    Observer* observer = &nobody;  ///< told of boxes that are judged
+    bool describes = true;         ///< margin and width of the witness orbit, for people, are wanted
 };
 
-/// The limits with which a claim about this section is proved, wherever it is.
-[[nodiscard]] PieceOptions piece_options(Scene scene, Section section);
+/// The limits with which a claim about this system is proved, wherever it is.
+[[nodiscard]] PieceOptions piece_options(const System& system);
 
 /// Why a piece is open: the last thing that failed, at the last precision that was tried.
 enum class Obstacle {

@@ -1,6 +1,7 @@
 #include "collisions/piece_lines.hpp"
 
 #include "base/error.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/names.hpp"
 #include "file/dyadic.hpp"
 
@@ -19,7 +20,7 @@ void PieceLines::proof(const Piece& piece) {
     if (piece.lower > 0) {
         require(piece.witness.has_value(), "certificate: a lower bound needs a witness");
         const Witness& w = *piece.witness;
-        line("witness {} {} {} {} {}", name(w.chart), to_dyadic(w.e), to_dyadic(w.eta), w.forward,
+        line("witness {} {} {} {} {}", name(w.place), to_dyadic(w.e), to_dyadic(w.eta), w.forward,
              w.backward);
         count("witness");
     }
@@ -27,13 +28,13 @@ void PieceLines::proof(const Piece& piece) {
 
 void PieceLines::cover(const Cover& cover) {
     if (cover.equal_masses || cover.symmetric) {
-        const std::string_view word = cover.symmetric ? symmetric_word : "equal-masses";
+        const std::string_view word = cover.symmetric ? symmetric_word : equal_masses_word;
         line("{}", word);
         count(word);
         return;
     }
     for (const ChartTree& part : cover.charts) {
-        line("chart {}", name(part.chart));
+        line("chart {}", row_of(part.chart).name);
         for (const Node& node : part.tree) {
             if (node.split) {
                 line("split {}", axis_name(part.chart, *node.split));
@@ -50,7 +51,7 @@ void PieceLines::leaf(Chart chart, const Leaf& leaf) {
     count(word);
     if (leaf.reason != Reason::count) {
         line("{}", word);
-    } else if (counts_both_ways(chart)) {
+    } else if (row_of(chart).counts_both_ways) {
         line("{} {} {}", word, leaf.forward, leaf.backward);
     } else {
         line("{} {}", word, leaf.forward);

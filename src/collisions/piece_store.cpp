@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "collisions/names.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "file/file_contents.hpp"
@@ -21,10 +21,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view first_line = "dumbbell-partial 1\n";
 
-std::string text_of(const StoredClaim& claim) {
-    return fmt::format("{}generator dumbbell {}\nscene {}\nsection {}\nratio {} {}\ngap {}\n", first_line,
-                       DUMBBELL_VERSION, name(claim.scene), name(claim.section), to_fraction(claim.q_lo),
-                       to_fraction(claim.q_hi), to_fraction(claim.gap));
+std::string text_of(const Claim& claim) {
+    const SectionRow& row = row_of(claim.system.section);
+    const auto ends = [](std::string_view word, const Range& range) {
+        return fmt::format("{} {} {}\n", word, to_fraction(range.lo), to_fraction(range.hi));
+    };
+    return fmt::format("{}generator dumbbell {}\nscene {}\nsection {}\n{}{}gap {}\n", first_line,
+                       DUMBBELL_VERSION, row.scene, row.section, ends("ratio", claim.range),
+                       claim.system.rho ? ends("rho", *claim.system.rho) : "", to_fraction(claim.gap));
 }
 
 constexpr std::size_t name_length = 32;  // of a piece, without extension
@@ -47,7 +51,7 @@ bool is_piece(const fs::directory_entry& entry) { return entry.path().extension(
 
 }  // namespace
 
-PieceStore::PieceStore(std::string folder, const StoredClaim& claim)
+PieceStore::PieceStore(std::string folder, const Claim& claim)
     : folder_(std::move(folder)), claim_(claim), text_(text_of(claim)) {
     std::error_code failed;
     if (fs::exists(fs::symlink_status(folder_, failed)) && !fs::is_directory(folder_, failed)) {
@@ -124,8 +128,8 @@ PieceStore::Kept PieceStore::kept_in(const std::string& file) const {
     }
     try {
         Certificate kept = read_certificate(file);
-        const bool fits = kept.pieces.size() == 1 && kept.pieces.front().upper &&
-                          kept.scene == claim_.scene && kept.section == claim_.section;
+        const bool fits =
+            kept.pieces.size() == 1 && kept.pieces.front().upper && kept.system == claim_.system;
         return {false, fits ? std::optional(std::move(kept.pieces.front())) : std::nullopt};
     } catch (const InputError&) {
         return {false, std::nullopt};  // a right checksum under something else
@@ -148,7 +152,7 @@ std::optional<Piece> PieceStore::find(const PlannedPiece& planned, Observer& obs
     return piece;
 }
 
-std::vector<Piece> PieceStore::beginning() const {
+std::vector<Piece> PieceStore::kept() const {
     std::vector<Piece> kept;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
         if (!is_piece(entry) || !entry.is_regular_file()) {
@@ -162,25 +166,31 @@ std::vector<Piece> PieceStore::beginning() const {
     std::sort(kept.begin(), kept.end(), [](const Piece& a, const Piece& b) {
         return a.q_lo < b.q_lo || (a.q_lo == b.q_lo && a.q_hi < b.q_hi);
     });
-    // Where a step is known exactly, at 1 and in wedges at 3, a plan may begin with a piece for that ratio
-    // alone: the next piece begins there too, and does not show that it is missing.
-    const bool may_begin_with_one_ratio = claim_.q_lo == 1 || claim_.q_lo == 3;
+    return kept;
+}
+
+std::vector<Piece> PieceStore::beginning() const {
+    std::vector<Piece> kept = this->kept();
+    // Where a step is known exactly a plan may begin with a piece for that ratio alone: the next piece begins
+    // there too, and does not show that it is missing.
+    const Rational& begin = claim_.range.lo;
+    const bool may_begin_with_one_ratio = begin == 1 || begin == staircase_of(claim_.system).exact_step;
     if (may_begin_with_one_ratio && !kept.empty() && kept.front().q_lo < kept.front().q_hi) {
         return {};
     }
-    Rational reached = claim_.q_lo;
+    Rational reached = begin;
     const auto end = std::find_if(kept.begin(), kept.end(), [&](const Piece& piece) {
         return piece.q_lo != std::exchange(reached, piece.q_hi);
     });
     kept.erase(end, kept.end());
-    while (!kept.empty() && kept.back().status() == Status::exact && kept.back().q_hi < claim_.q_hi) {
+    while (!kept.empty() && kept.back().status() == Status::exact && kept.back().q_hi < claim_.range.hi) {
         kept.pop_back();
     }
     return kept;
 }
 
 void PieceStore::keep(const Piece& piece) const {
-    const Certificate alone{.pieces = {piece}, .scene = claim_.scene, .section = claim_.section};
+    const Certificate alone{.pieces = {piece}, .system = claim_.system};
     // Not synced: thousands of small pieces would spend their time waiting for the disk, and one that a crash
     // of the machine damages is recognized by its checksum.
     write_atomically(file_of(planned_as(piece)), render(alone).text, Survives::program);

@@ -12,15 +12,6 @@
 
 namespace dumbbell::collisions {
 
-/// What a run was asked for, as far as its pieces depend on it.
-struct StoredClaim {
-    Scene scene = Scene::dumbbell;
-    Section section = Section::turning;
-    Rational q_lo;
-    Rational q_hi;
-    Rational gap;
-};
-
 /// The finished pieces of a long run in a folder, so that a run that was killed goes on where it was. Each
 /// piece is a file of its own, a complete certificate that `dumbbell-verify` accepts, with a name that
 /// depends on nothing but what it claims. The folder belongs to one claim of one version of the program, and
@@ -30,7 +21,7 @@ struct StoredClaim {
 class PieceStore {
   public:
     /// Opens the folder, or makes it.
-    PieceStore(std::string folder, const StoredClaim& claim);
+    PieceStore(std::string folder, const Claim& claim);
     ~PieceStore();
     PieceStore(const PieceStore&) = delete;
     PieceStore& operator=(const PieceStore&) = delete;
@@ -42,9 +33,11 @@ class PieceStore {
     /// the observer is told its name. Throws InputError if its name is no file's.
     [[nodiscard]] std::optional<Piece> find(const PlannedPiece& planned, Observer& observer = nobody) const;
 
-    /// The kept pieces that tile a part of the claim from its lower end on, in ascending order, as far as
-    /// behind a gap (or the whole claim): from there on a plan goes on as it would have. A damaged file is as
-    /// good as none.
+    /// The kept pieces, in ascending order. A damaged file is as good as none.
+    [[nodiscard]] std::vector<Piece> kept() const;
+
+    /// Those that tile a part of the claim from its lower end on, in ascending order, as far as
+    /// behind a gap (or the whole claim): from there on a plan goes on as it would have.
     [[nodiscard]] std::vector<Piece> beginning() const;
 
     /// Keeps the piece, whatever happens to the program; of what a crash of the machine spoils, `find` finds
@@ -59,7 +52,7 @@ class PieceStore {
 
   private:
     [[nodiscard]] std::string file_of(const PlannedPiece& planned) const;
-    /// What a piece's file holds: the piece if it is whole, decided, and of this store's scene and section.
+    /// What a piece's file holds: the piece if it is whole, decided, and of this store's system.
     struct Kept {
         bool damaged = false;  ///< the last line is not the checksum of the others
         std::optional<Piece> piece;
@@ -68,7 +61,7 @@ class PieceStore {
     [[nodiscard]] bool has_no_others_pieces(const std::string& claim) const;
 
     std::string folder_;
-    StoredClaim claim_;
+    Claim claim_;
     std::string text_;  ///< of the claim
 
     FolderLock lock_;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "number/parallel.hpp"
 #include "number/part.hpp"
 
@@ -31,7 +31,7 @@ Rational rounded(const Rational& x, double grain, bool up) {
 }
 
 /// The maximum at q, or one less or more: where growth sqrt q lies between whole numbers.
-long about(const SceneRow& row, const Rational& q) {
+long about(const SectionRow& row, const Rational& q) {
     const Rational growth = parse_rational(row.growth), square = growth * growth * q;
     return 2 + sqrt(numerator(square) / denominator(square)).convert_to<long>();
 }
@@ -42,7 +42,7 @@ struct NearSteps {
 };
 
 /// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-NearSteps steps_near(const SceneRow& row, const Rational& lo, const Rational& hi, double gap,
+NearSteps steps_near(const SectionRow& row, const Rational& lo, const Rational& hi, double gap,
                      const Interrupted& interrupted, Observer& observer) {
     const long first = std::max(4L, about(row, lo) - 1);
     const long last = about(row, hi) + 2;
@@ -86,10 +86,12 @@ std::string words_of(const PlannedPiece& planned) {
                        planned.upper, planned.lower);
 }
 
-Plan plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi, const Rational& gap,
-                    const Interrupted& interrupted, Observer& observer) {
+Plan plan_staircase(const Claim& claim, const Rational& q_lo, const Interrupted& interrupted,
+                    Observer& observer) {
+    const Rational &q_hi = claim.range.hi, &gap = claim.gap;
     const auto width = gap.convert_to<double>();
-    const auto [steps, beyond] = steps_near(row_of(scene), q_lo, q_hi, width, interrupted, observer);
+    const auto [steps, beyond] =
+        steps_near(staircase_of(claim.system), q_lo, q_hi, width, interrupted, observer);
     if (interrupted()) {
         return {};
     }

@@ -6,7 +6,7 @@
 
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
-#include "collisions/certificate.hpp"
+#include "collisions/claim.hpp"
 #include "number/rational.hpp"
 
 namespace dumbbell::collisions {
@@ -35,15 +35,14 @@ struct Plan {
 /// At most so many steps are placed at a time, so that pieces can be proved while others are still unknown.
 inline constexpr std::size_t most_steps_at_once = 256;
 
-/// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, at the places where the maximum seems to step: pieces with one value
-/// each, and between them gap pieces around the critical ratios, at most gap * q wide and at most a
-/// thousandth of the distance to the next step. At q = 1 the step is known exactly: the single ratio is a
-/// piece, and a gap lies to its right. The pieces begin at q_lo and end at q_hi, or behind a
-/// gap when most_steps_at_once are placed: planned again from behind any gap, they go on as they would have.
-/// None if it is interrupted. The observer is told how many steps are placed. Throws InputError if there are
-/// more than 10^6 steps.
-[[nodiscard]] Plan plan_staircase(Scene scene, const Rational& q_lo, const Rational& q_hi,
-                                  const Rational& gap, const Interrupted& interrupted = never,
-                                  Observer& observer = nobody);
+/// Cuts [q_lo, q_hi], 1 <= q_lo < q_hi, the rest of the claim's range, at the places where the maximum seems
+/// to step: pieces with one value each, and between them gap pieces around the critical ratios, at most gap *
+/// q wide and at most a thousandth of the distance to the next step. At q = 1 the step is known exactly: the
+/// single ratio is a piece, and a gap lies to its right. The pieces begin at q_lo and end at q_hi, or behind
+/// a gap when most_steps_at_once are placed: planned again from behind any gap, they go on as they would
+/// have. None if it is interrupted. The observer is told how many steps are placed. Throws InputError if
+/// there are more than 10^6 steps. Precondition: the steps of the section are known.
+[[nodiscard]] Plan plan_staircase(const Claim& claim, const Rational& q_lo,
+                                  const Interrupted& interrupted = never, Observer& observer = nobody);
 
 }  // namespace dumbbell::collisions

@@ -7,10 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "collisions/demand.hpp"
 #include "collisions/names.hpp"
 #include "collisions/orbit_text.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
@@ -19,13 +18,11 @@
 namespace dumbbell::collisions {
 namespace {
 
-std::string range_text(const Rational& lo, const Rational& hi) {
-    return lo == hi ? exact_text(lo) : exact_text(lo) + " : " + exact_text(hi);
+std::string range_text(const Range& range) {
+    return range.is_single() ? exact_text(range.lo) : exact_text(range.lo) + " : " + exact_text(range.hi);
 }
 
-Certificate frame_of(const ProofReport& report) {
-    return {.pieces = {}, .scene = report.scene, .section = report.section, .heights = report.heights};
-}
+const SectionRow& row_of(const ProofReport& report) { return row_of(report.claim.system.section); }
 
 std::vector<const Piece*> pieces_of(const ProofReport& report) {
     std::vector<const Piece*> pieces;
@@ -35,14 +32,15 @@ std::vector<const Piece*> pieces_of(const ProofReport& report) {
 
 /// Not computed for the greatest ratios.
 bool has_paper_bound(const ProofReport& report, const Piece& piece) {
-    return row_of(report.scene).has_paper_bound && piece.q_hi <= flight::paper_bound_limit();
+    return row_of(report).has_paper_bound && piece.q_hi <= flight::paper_bound_limit();
 }
 
 /// What the ratio is: the mass ratio, or of a body Q.
-std::string ratio_word(const ProofReport& report) { return report.heights ? "Q" : "mass ratio"; }
+std::string ratio_word(const ProofReport& report) { return report.claim.system.rho ? "Q" : "mass ratio"; }
 
-std::string heights_text(const ProofReport& report) {
-    return report.heights ? fmt::format(", rho {}", range_text(report.heights->lo, report.heights->hi)) : "";
+std::string rho_text(const ProofReport& report) {
+    const auto& rho = report.claim.system.rho;
+    return rho ? fmt::format(", rho {}", range_text(*rho)) : "";
 }
 
 std::string value_text(const Piece& piece) {
@@ -114,7 +112,7 @@ std::string start_text(const ReportRow& row) {
 /// the orbit itself is printed with it; nothing of a range.
 std::string witness_sentence(const ProofReport& report) {
     const ReportRow& row = report.rows.front();
-    if (report.q_lo < report.q_hi || row.piece->status() != Status::exact || row.margin <= 0) {
+    if (!report.claim.range.is_single() || row.piece->status() != Status::exact || row.margin <= 0) {
         return {};
     }
     return fmt::format(
@@ -129,9 +127,9 @@ std::string witness_sentence(const ProofReport& report) {
 
 std::string single_sentence(const ProofReport& report) {
     const Piece& piece = *report.rows.front().piece;
-    const SceneRow& words = row_of(report.scene);
+    const SectionRow& words = row_of(report);
     const std::string q =
-        fmt::format("{} {}{}", ratio_word(report), exact_text(report.q_lo), heights_text(report));
+        fmt::format("{} {}{}", ratio_word(report), exact_text(report.claim.range.lo), rho_text(report));
     if (piece.status() == Status::exact) {
         const std::string times = plural(*piece.upper, "time");
         return fmt::format("Proved: at {} no {} more than {}, and some {} {}.\n", q, words.hits, times,
@@ -156,12 +154,12 @@ std::string decided_text(const Rational& undecided, bool some) {
 
 std::string range_sentence(const ProofReport& report) {
     const Counts counts = count_statuses(report);
-    const SceneRow& words = row_of(report.scene);
+    const SectionRow& words = row_of(report);
     std::string text;
     if (counts.exact > 0) {
         text = fmt::format(
             "Proved: in {}, and for every {} in it{},\nno {} more than N times and some {} N times. ",
-            pieces_with_value(counts), ratio_word(report), heights_text(report), words.hits, words.hits_it);
+            pieces_with_value(counts), ratio_word(report), rho_text(report), words.hits, words.hits_it);
     } else if (counts.gaps == 0) {
         text = "Not decided. ";
     }
@@ -180,16 +178,17 @@ std::string part_sentence(const ProofReport& report) {
     if (!report.part) {
         return {};
     }
-    const auto& [part, lo, hi, q_lo, q_hi] = *report.part;
-    return fmt::format("Part {} of {} of the mass ratios {}: those from {} to {}.\n", part.number, part.of,
-                       range_text(lo, hi), exact_text(q_lo), exact_text(q_hi));
+    const auto& [part, whole, range] = *report.part;
+    return fmt::format("Part {} of {} of {} {}: those from {} to {}.\n", part.number, part.of,
+                       report.claim.system.rho ? "Q" : "the mass ratios", range_text(whole),
+                       exact_text(range.lo), exact_text(range.hi));
 }
 
 Json part_json(const RatioPart& part) {
     return Json::object({{"number", part.part.number},
                          {"of", part.part.of},
-                         {"lo", to_fraction(part.whole_lo)},
-                         {"hi", to_fraction(part.whole_hi)}});
+                         {"lo", to_fraction(part.whole.lo)},
+                         {"hi", to_fraction(part.whole.hi)}});
 }
 
 Json start_json(const WitnessStart& start) {
@@ -223,7 +222,7 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
 }
 
 std::string pieces_table(const ProofReport& report) {
-    const bool paper = row_of(report.scene).has_paper_bound;
+    const bool paper = row_of(report).has_paper_bound;
     std::vector<TableLine> lines;
     const auto add = [&](TableLine line, const std::string& bound) {
         if (paper) {
@@ -234,7 +233,7 @@ std::string pieces_table(const ProofReport& report) {
     add({ratio_word(report), "N", "boxes", "time"}, "paper");
     for (const ReportRow& row : report.rows) {
         const Piece& piece = *row.piece;
-        add({range_text(piece.q_lo, piece.q_hi), value_text(piece), fmt::format("{}", piece.cover.leaves()),
+        add({range_text({piece.q_lo, piece.q_hi}), value_text(piece), fmt::format("{}", piece.cover.leaves()),
              fmt::format("{:.3f} s", row.seconds)},
             paper_text(report, piece));
     }
@@ -244,8 +243,8 @@ std::string pieces_table(const ProofReport& report) {
 }  // namespace
 
 std::string verdict(const ProofReport& report) {
-    return report.q_lo == report.q_hi ? single_sentence(report)
-                                      : part_sentence(report) + range_sentence(report);
+    return report.claim.range.is_single() ? single_sentence(report)
+                                          : part_sentence(report) + range_sentence(report);
 }
 
 std::string to_text(const ProofReport& report) {
@@ -253,14 +252,13 @@ std::string to_text(const ProofReport& report) {
     text += fmt::format("{} in {:.2f} s with {}\n\n", plural(report.rows.size(), "piece"), report.seconds,
                         plural(report.jobs, "thread"));
     text += verdict(report) + witness_sentence(report);
-    if (heavy_at_most_once(frame_of(report), pieces_of(report))) {
+    if (heavy_at_most_once(report.claim, pieces_of(report))) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }
     if (report.out) {
         text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {} {}\n",
                             one_line(*report.out), *report.sha256,
-                            options_to_check(frame_of(report), pieces_of(report), report.rod),
-                            shell_file(*report.out));
+                            options_to_check(report.claim, pieces_of(report)), shell_file(*report.out));
     }
     return text;
 }
@@ -272,23 +270,22 @@ Json to_json(const ProofReport& report) {
     }
     Json json = Json::object(
         {{"schema", "dumbbell-certify-1"},
-         {"scene", name(report.scene)},
-         {"section", name(report.section)},
-         {"ratio", Json::object({{"lo", to_fraction(report.q_lo)}, {"hi", to_fraction(report.q_hi)}})},
+         {"scene", row_of(report).scene},
+         {"section", row_of(report).section},
+         {"ratio", Json::object({{"lo", to_fraction(report.claim.range.lo)},
+                                 {"hi", to_fraction(report.claim.range.hi)}})},
          {"part", report.part ? part_json(*report.part) : Json()},
-         {"gap", to_fraction(report.gap)},
+         {"gap", to_fraction(report.claim.gap)},
          {"jobs", report.jobs},
          {"pieces", pieces},
-         {"heavy_at_most_once",
-          heavy_at_most_once(frame_of(report), pieces_of(report)) ? Json(true) : Json()},
+         {"heavy_at_most_once", heavy_at_most_once(report.claim, pieces_of(report)) ? Json(true) : Json()},
          {"decided_fraction", decided_fraction(report.undecided)},
          {"undecided_share", to_fraction(report.undecided)},
          {"seconds", report.seconds},
          {"out", report.out},
          {"sha256", report.sha256}});
-    if (report.heights) {
-        json.add("rho", Json::object({{"lo", to_fraction(report.heights->lo)},
-                                      {"hi", to_fraction(report.heights->hi)}}));
+    if (const auto& rho = report.claim.system.rho) {
+        json.add("rho", Json::object({{"lo", to_fraction(rho->lo)}, {"hi", to_fraction(rho->hi)}}));
     }
     return json;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "collisions/certificate.hpp"
+#include "collisions/claim.hpp"
 #include "collisions/part.hpp"
 #include "collisions/witness.hpp"
 #include "flight/orbit.hpp"
@@ -27,18 +27,12 @@ struct ReportRow {
 
 /// What `certify` tells its user, as text or as JSON (the contract's object).
 struct ProofReport {
-    Scene scene = Scene::dumbbell;
-    Section section = Section::turning;
-    std::optional<Heights> heights{};  ///< of the scene body
-    Rational q_lo;
-    Rational q_hi;
+    Claim claim;
     std::optional<RatioPart> part{};  ///< where only that was asked for
-    Rational gap;
     int jobs;
     double seconds;
     Rational undecided;  ///< share of the range
     std::vector<ReportRow> rows{};
-    std::string rod{};  ///< as whole_demand has it
     std::optional<std::string> out{};
     std::optional<std::string> sha256{};
 };

@@ -3,14 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/names.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "file/lines.hpp"
 
 namespace dumbbell::collisions {
@@ -25,7 +26,7 @@ Node node_from(Lines& lines, Chart chart) {
         }
     }
     const auto reason = value_named<Reason>(word);
-    const std::size_t counts = reason != Reason::count ? 0 : counts_both_ways(chart) ? 2 : 1;
+    const std::size_t counts = reason != Reason::count ? 0 : row_of(chart).counts_both_ways ? 2 : 1;
     if (reason && fields.size() == 1 + counts) {
         return {std::nullopt,
                 {*reason, counts > 0 ? lines.count(fields[1]) : Count(),
@@ -43,11 +44,11 @@ ChartTree tree_from(Lines& lines, Chart chart) {
     return {chart, std::move(tree)};
 }
 
-Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
+Cover cover_from(Lines& lines, std::span<const Chart> charts) {
     Cover cover;
     for (const Chart chart : charts) {
         const auto& fields = lines.next();
-        if (cover.charts.empty() && fields.size() == 1 && fields[0] == "equal-masses") {
+        if (cover.charts.empty() && fields.size() == 1 && fields[0] == equal_masses_word) {
             cover.equal_masses = true;
             return cover;
         }
@@ -55,7 +56,7 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
             cover.symmetric = true;
             return cover;
         }
-        if (fields.size() != 2 || fields[0] != "chart" || fields[1] != name(chart)) {
+        if (fields.size() != 2 || fields[0] != "chart" || fields[1] != row_of(chart).name) {
             lines.fail();
         }
         cover.charts.push_back(tree_from(lines, chart));
@@ -63,14 +64,12 @@ Cover cover_from(Lines& lines, const std::vector<Chart>& charts) {
     return cover;
 }
 
-constexpr std::array witness_charts{Chart::bridge, Chart::wedge, Chart::corner};
-
-Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
+Piece piece_from(Lines& lines, std::span<const Chart> charts) {
     Piece piece;
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
     piece.q_hi = lines.ratio(range[2]);
-    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
+    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), long{most_bits}));
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.count(upper);
@@ -79,13 +78,12 @@ Piece piece_from(Lines& lines, const std::vector<Chart>& charts) {
     piece.lower = lines.count(lines.expect("lower", 2)[1]);
     if (piece.lower > 0) {
         const auto& w = lines.expect("witness", 6);
-        const auto chart = std::find_if(witness_charts.begin(), witness_charts.end(),
-                                        [&](Chart c) { return w[1] == name(c); });
-        if (chart == witness_charts.end()) {
+        const auto place = value_named<Place>(w[1]);
+        if (!place) {
             lines.fail();
         }
         piece.witness =
-            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.count(w[4]), lines.count(w[5]), *chart};
+            Witness{lines.dyadic(w[2]), lines.dyadic(w[3]), lines.count(w[4]), lines.count(w[5]), *place};
     }
     return piece;
 }
@@ -106,30 +104,27 @@ const char* other_subject(std::string_view claim) {
 
 ClaimedHead head_from(Lines& lines, const std::string& path) {
     const Head head = lines.expect_head();
-    const auto scene = value_named<Scene>(head.scene);
-    const auto section =
-        scene ? section_spelled({head.lemmas, head.section}, *scene) : std::optional<Section>();
+    const auto section = section_in_file(head.scene, head.lemmas, head.section);
     if (const char* subject = other_subject(head.claim)) {
         throw InputError(
             fmt::format("'{}' is about {}: a certificate with a cover of mass ratios is needed here "
                         "(dumbbell certify RATIO --out FILE); dumbbell verify reads both",
                         path, subject));
     }
-    if (!scene || !section || head.claim != "collisions") {
+    if (!section || head.claim != "collisions") {
         lines.fail();
     }
-    const auto& range = lines.expect("ratio", 3);
-    const Rational q_lo = lines.ratio(range[1]), q_hi = lines.ratio(range[2]);
-    std::optional<Heights> heights;
-    if (*scene == Scene::body) {
-        const auto& ends = lines.expect("rho", 3);
-        heights = Heights{lines.ratio(ends[1]), lines.ratio(ends[2])};
-    }
+    const auto ends = [&](const char* word) -> Range {
+        const auto& fields = lines.expect(word, 3);
+        return {lines.ratio(fields[1]), lines.ratio(fields[2])};
+    };
+    const Range range = ends("ratio");
+    const auto rho = *section == Section::body ? std::optional(ends("rho")) : std::nullopt;
     const auto pieces = static_cast<std::size_t>(lines.number(lines.expect("pieces", 2)[1]));
     if (pieces == 0) {
         lines.fail();
     }
-    return {head.generator, *scene, *section, q_lo, q_hi, pieces, heights};
+    return {head.generator, {*section, rho}, range, pieces};
 }
 
 }  // namespace
@@ -148,12 +143,8 @@ std::size_t claimed_pieces(const std::string& path) try {
 Certificate read_certificate(const NamedFile& file) {
     Lines lines(file);
     const ClaimedHead head = head_from(lines, file.path);
-    Certificate certificate{.generator = head.generator,
-                            .pieces = {},
-                            .scene = head.scene,
-                            .section = head.section,
-                            .heights = head.heights};
-    const std::vector<Chart> charts = row_of(head.scene).charts(head.section);
+    Certificate certificate{.generator = head.generator, .pieces = {}, .system = head.system};
+    const std::span<const Chart> charts = row_of(head.system.section).charts;
     for (std::size_t i = 0; i < head.pieces; ++i) {
         certificate.pieces.push_back(piece_from(lines, charts));
     }

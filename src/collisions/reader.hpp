@@ -11,11 +11,9 @@ namespace dumbbell::collisions {
 /// What a certificate about collisions says of itself before its pieces.
 struct ClaimedHead {
     Generator generator;
-    Scene scene;
-    Section section;
-    Rational q_lo, q_hi;
+    System system;
+    Range range;
     std::size_t pieces;
-    std::optional<Heights> heights;
 };
 
 /// Reads no further. Throws InputError as read_certificate does.

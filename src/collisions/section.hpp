@@ -1,27 +1,81 @@
 #pragma once
 
-#include <utility>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <tuple>
 
+#include "base/interrupted.hpp"
 #include "collisions/certificate.hpp"
-#include "collisions/coordinate.hpp"
+#include "file/limits.hpp"
+#include "number/big_interval.hpp"
+#include "number/interval.hpp"
 
+/// What the general code asks of a section. A new one is a value of Section, a file in sections/ that defines
+/// its row, and a line in section.cpp.
 namespace dumbbell::collisions {
 
-/// A box of states, exact: corner distance e, slope coordinate (eta in the chart bridge, lambda in the chart
-/// light), mass ratio; of bodies also rho, which is 0 for others.
-struct Box {
-    Coordinate e_lo, e_hi;
-    Coordinate slope_lo, slope_hi;
-    Coordinate q_lo, q_hi;
-    Coordinate rho_lo = 0, rho_hi = 0;
+/// Where the maximum steps: from n - 1 below `critical` to n above.
+struct Step {
+    long n = 0;
+    Rational critical = 0;
+    Rational slack = 0;  ///< the true step may be so far from `critical`, relatively
+    bool exact = false;  ///< n - 1 holds at `critical` itself, which is the critical ratio exactly
 };
 
-/// The root box of a chart over mass ratios [q_lo, q_hi] (format.md): short dyadics that contain the
-/// chart's states, e in [0, 2] (t in [0, 4]; the chart wedge has no position), and a slope range that holds
-/// all slopes in play.
-[[nodiscard]] Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi);
+/// What to try first of a piece, with the bits of I: only time is lost where it is wrong.
+template <class I>
+struct BoundSearch {
+    /// The maximum at q; nothing if this precision does not tell it, or not in time.
+    std::optional<Count> (*maximum)(const Rational& q, const System& system, const Interrupted& interrupted);
+    /// Whether an orbit of n collisions at q may be found with this precision; nullptr: always.
+    bool (*may_reach)(const Count& n, const Rational& q, const Interrupted& interrupted);
+    /// Whether a cover for at most n at q may be found; nullptr: always.
+    bool (*may_stay)(const Count& n, const Rational& q, const Interrupted& interrupted);
+    std::optional<Witness> (*witness)(const Range& range, const Count& target, const System& system,
+                                      const Interrupted& interrupted);
+};
 
-/// The lower and the upper half; the midpoint is exact and belongs to both.
-[[nodiscard]] std::pair<Box, Box> halves(const Box& box, Axis axis);
+struct SectionRow {
+    std::string_view scene, section;           ///< as users say it
+    std::string_view lemmas, section_in_file;  ///< the words after `lemmas` and `section`
+    std::string_view kind_in_totals;           ///< of leaves or covers that no other section has; or nothing
+    std::string_view hits, hits_it;            ///< "no ... more than N times, and some ... N times"
+    std::string_view system, where;            ///< "The dumbbell"; " in the wedge", or nothing
+    std::string_view title;                    ///< of the picture of its maximum
+    std::string_view growth;  ///< it steps about where growth sqrt q is a whole number: a decimal
+    int most_digits = 36;     ///< single ratios up to 10^this are tried
+    bool has_orbits = false;  ///< in the plane, to be listed and drawn; else it has slopes only
+    /// The source paper bounds its maximum by ceil(pi/gamma) + 1; else ceil(pi/gamma) is its maximum.
+    bool has_paper_bound = false;
+    bool shows_heavy_once =
+        false;  ///< its cover proves that the heavy mass hits the floor at most once (L19)
+    /// The bits that the verifier needs beyond those that sufficed here; 0: twice as many are needed.
+    int bits_to_verify = 32;
+    /// The limits of a piece: its precision, and the nodes of a tree.
+    int max_bits = most_bits - 32;
+    std::size_t max_nodes = 20'000;
+    std::span<const Chart> charts;  ///< in the order of the file
+    long exact_step = 1;            ///< a ratio at which the maximum is known to step
+    /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted. nullptr: nothing is
+    /// known of the steps, and ranges are halved.
+    Step (*step)(long n, double gap, const Interrupted& interrupted) = nullptr;
+    /// What proves the upper bound without trees, if anything does; nullptr: nothing.
+    std::optional<Cover> (*by_lemma)(const Range& range, const Count& upper, const System& system) = nullptr;
+    std::tuple<BoundSearch<Interval>, BoundSearch<BigInterval>> bounds;
+};
+
+[[nodiscard]] const SectionRow& row_of(Section section);
+
+/// The row that says where the maximum of the system steps: symmetric bodies step where the wedges do (L72).
+[[nodiscard]] const SectionRow& staircase_of(const System& system);
+
+/// What row_of gives, each defined where its section is.
+extern const SectionRow turning_row, full_row, plain_row, body_row, hybrid_row, wedge_row;
+
+/// The section of a scene: by the words that users say, or by those of a file; nothing if there is none.
+[[nodiscard]] std::optional<Section> section_named(std::string_view scene, std::string_view section);
+[[nodiscard]] std::optional<Section> section_in_file(std::string_view scene, std::string_view lemmas,
+                                                     std::string_view section);
 
 }  // namespace dumbbell::collisions

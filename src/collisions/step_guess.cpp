@@ -67,7 +67,7 @@ namespace {
 /// About C: its relative error, n - 2 times, must be small. Nothing interrupts the quadrature, which takes
 /// some milliseconds for 512 bits, and minutes for some thousand.
 BigInterval growth(long n) {
-    if (!is_long(n)) {
+    if (!flight::macro::is_long(n)) {
         return BigInterval(rough_growth);
     }
     const PrecisionScope scope(std::min(512, PrecisionScope::current()));
@@ -136,7 +136,9 @@ class Search {
 };
 
 /// Without macro steps, which shorter orbits do not have, a flight loses little.
-int bits_to_find(long n, int share_bits) { return n < 10'000 ? share_bits + 64 : bits_of_step(share_bits); }
+int bits_to_find(long n, int share_bits) {
+    return n < flight::macro::least_with_few_bits ? share_bits + 64 : bits_of_step(share_bits);
+}
 
 /// The place of the step to n between the steps before and after it, to about 2^-share_bits.
 std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupted& interrupted) {
@@ -146,7 +148,7 @@ std::optional<BigInterval> place_of_step(long n, int share_bits, const Interrupt
     BigInterval place(0);
     double near = 0x1p-6;
     int share = std::min(first_bits, share_bits);
-    if (!is_long(n)) {
+    if (!flight::macro::is_long(n)) {
         place = Search(n, interrupted).place(guess_step(n, interrupted));
         near = 0x1p-20;
         share = share_bits;

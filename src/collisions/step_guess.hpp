@@ -17,12 +17,6 @@ namespace dumbbell::collisions {
 /// pieces is proved by covers and witnesses. A meaningless number if it is interrupted.
 [[nodiscard]] double guess_step(long n, const Interrupted& interrupted = never);
 
-/// From here on such an orbit is followed by macro steps (L42), which is faster than the interval Newton step
-/// of critical/enclose.cpp: that takes 0.36 s for n = 20,000 to 15 digits, this 0.18 s for the next one, and
-/// 0.34 s for n = 10^12.
-inline constexpr long first_long = 20'001;
-[[nodiscard]] constexpr bool is_long(long n) { return n >= first_long; }
-
 /// With so many bits macro steps lose about 2^-share_bits of a collision's progress.
 [[nodiscard]] constexpr int bits_of_step(int share_bits) { return 4 * (share_bits + 24); }
 

@@ -3,27 +3,26 @@
 #include <fmt/core.h>
 
 #include "base/error.hpp"
-#include "collisions/names.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/section.hpp"
 #include "file/verifier_program.hpp"
 
 namespace dumbbell::collisions {
 
-std::optional<ClaimedRange> claimed_range(const std::string& file) try {
+std::optional<Claim> claim_in(const std::string& file) try {
     const ClaimedHead head = read_head(file);
-    return head.q_lo < 1 || head.q_lo > head.q_hi
-               ? std::nullopt
-               : std::optional(ClaimedRange{head.scene, head.section, head.q_lo, head.q_hi});
+    const bool is_range = head.range.lo >= 1 && head.range.lo <= head.range.hi;
+    return is_range ? std::optional(Claim{head.range, head.system}) : std::nullopt;
 } catch (const InputError&) {
     return std::nullopt;
 }
 
 Certificate verified_certificate(const std::string& file, int jobs) {
-    const Scene scene = read_head(file).scene;
+    const std::string_view scene = row_of(read_head(file).system.section).scene;
     // A user who waits for it can stop it; a budget would only be in the way.
     const Verdict verdict =
-        ask_verifier({fmt::format("--jobs={}", jobs), "--quiet", "--budget=99999h", "--max-bits=4096",
-                      fmt::format("--scene={}", name(scene)), "--", file});
+        ask_verifier({fmt::format("--jobs={}", jobs), "--quiet", "--budget=99999h",
+                      fmt::format("--max-bits={}", most_bits), fmt::format("--scene={}", scene), "--", file});
     if (!verdict.accepts) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
     }

@@ -3,17 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "collisions/certificate.hpp"
+#include "collisions/claim.hpp"
 
 namespace dumbbell::collisions {
 
-/// What a certificate is about, as its head says; nothing if it has none that can be read.
-struct ClaimedRange {
-    Scene scene;
-    Section section;
-    Rational q_lo, q_hi;
-};
-[[nodiscard]] std::optional<ClaimedRange> claimed_range(const std::string& file);
+/// What a certificate says it is about; nothing if it has no head that can be read.
+[[nodiscard]] std::optional<Claim> claim_in(const std::string& file);
 
 /// A certificate that `dumbbell-verify` accepts, on so many threads. Throws InputError, saying what it
 /// answers, if it does not, or if the file was exchanged since; NoVerdict if it does not answer.

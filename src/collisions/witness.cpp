@@ -89,7 +89,7 @@ int likely_depth(const Count& target, const Rational& q, const Interrupted& inte
         return 1;
     }
     constexpr int near = 20;
-    if (target >= first_long) {
+    if (target >= flight::macro::first_long) {
         return near;
     }
     const long n = as_long(target);

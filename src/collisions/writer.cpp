@@ -4,18 +4,20 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "collisions/claim.hpp"
 #include "collisions/names.hpp"
 #include "collisions/piece_lines.hpp"
+#include "collisions/section.hpp"
 
 namespace dumbbell::collisions {
 namespace {
 
 /// The kinds of lines that the trailer counts, in its order.
-std::vector<std::string_view> kinds_of(Scene scene, Section section) {
-    std::vector<std::string_view> kinds{"split",          "count",        "outside", "meets",
-                                        "meets-reversed", "equal-masses", "witness"};
-    if (section != Section::turning) {
-        kinds.push_back(scene == Scene::body ? symmetric_word : name(Reason::once));
+std::vector<std::string_view> kinds_of(const SectionRow& row) {
+    std::vector<std::string_view> kinds{"split",          "count",           "outside", "meets",
+                                        "meets-reversed", equal_masses_word, "witness"};
+    if (!row.kind_in_totals.empty()) {
+        kinds.push_back(row.kind_in_totals);
     }
     kinds.push_back("open");
     return kinds;
@@ -24,11 +26,11 @@ std::vector<std::string_view> kinds_of(Scene scene, Section section) {
 class Writer : PieceLines {
   public:
     void header(const Certificate& frame, const std::vector<const Piece*>& pieces) {
-        const SectionWords words = spelled(frame.section, frame.scene);
-        head(frame.generator, words.lemmas, name(frame.scene), words.section, "collisions");
+        const SectionRow& row = row_of(frame.system.section);
+        head(frame.generator, row.lemmas, row.scene, row.section_in_file, "collisions");
         line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
-        if (frame.heights) {
-            line("rho {} {}", to_fraction(frame.heights->lo), to_fraction(frame.heights->hi));
+        if (const auto& rho = frame.system.rho) {
+            line("rho {} {}", to_fraction(rho->lo), to_fraction(rho->hi));
         }
         line("pieces {}", pieces.size());
     }
@@ -39,21 +41,14 @@ class Writer : PieceLines {
     }
 
     SealedText finish(const Certificate& frame) && {
-        totals(kinds_of(frame.scene, frame.section));
+        totals(kinds_of(row_of(frame.system.section)));
         return std::move(*this).sealed();
     }
 };
 
 }  // namespace
 
-SealedText render(const Certificate& certificate) {
-    std::vector<const Piece*> pieces;
-    pieces.reserve(certificate.pieces.size());
-    for (const Piece& piece : certificate.pieces) {
-        pieces.push_back(&piece);
-    }
-    return render(certificate, pieces);
-}
+SealedText render(const Certificate& certificate) { return render(certificate, pieces_of(certificate)); }
 
 SealedText render(const Certificate& frame, const std::vector<const Piece*>& pieces) {
     require(!pieces.empty(), "certificate: no pieces");

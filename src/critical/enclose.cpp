@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "collisions/step_guess.hpp"
 #include "flight/extremal_orbit.hpp"
+#include "flight/macro/when.hpp"
 #include "number/decimal.hpp"
 
 namespace dumbbell::critical {
@@ -133,7 +134,7 @@ std::optional<Ratio> enclose_ratio(long n, const Options& options) {
     require(n >= 3 && options.digits >= 1 && options.digits <= most_digits,
             "critical ratio: out of the domain");
     const ExtremalFlight flight = flight::tangent_flight(n);
-    if (collisions::is_long(n)) {
+    if (flight::macro::is_long(n)) {
         return enclose_long_ratio(n, options);
     }
     Rational guess = Rational(1) / exact(collisions::guess_step(n, options.interrupted));
@@ -160,7 +161,7 @@ bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted) {
     if (ratio.n == 3) {
         return ratio.q_lo <= 1 && ratio.q_hi >= 1;
     }
-    if (collisions::is_long(ratio.n)) {
+    if (flight::macro::is_long(ratio.n)) {
         return certainly_encloses_by_counts(ratio, interrupted);
     }
     // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last

@@ -38,8 +38,8 @@ inline constexpr int most_bits = 16384;
 /// orbit by the counts at both ends. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
 [[nodiscard]] bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted = never);
 
-/// The same for long orbits, collisions::is_long(n) (long_orbits.cpp): macro steps (L42) bound a state, but
-/// not its derivatives; by Theorem 2 the numbers of collisions at two ratios enclose n all the same.
+/// The same for long orbits, flight::macro::is_long(n) (long_orbits.cpp): macro steps (L42) bound a state,
+/// but not its derivatives; by Theorem 2 the numbers of collisions at two ratios enclose n all the same.
 [[nodiscard]] std::optional<Ratio> enclose_long_ratio(long n, const Options& options);
 [[nodiscard]] bool certainly_encloses_by_counts(const Ratio& ratio, const Interrupted& interrupted = never);
 

@@ -8,6 +8,7 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "collisions/step_guess.hpp"
+#include "flight/macro/when.hpp"
 #include "number/count_argument.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
@@ -21,11 +22,11 @@ double flights(const Request& request) {
     const auto number = [](long first, long last) {
         return static_cast<double>(std::max(0L, last - first + 1));
     };
-    const long followed = std::min(request.last, collisions::first_long - 1);
-    const long jumped = std::max(request.first, collisions::first_long);
-    const double longer = static_cast<double>(request.last) / collisions::first_long;
+    const long followed = std::min(request.last, flight::macro::first_long - 1);
+    const long jumped = std::max(request.first, flight::macro::first_long);
+    const double longer = static_cast<double>(request.last) / flight::macro::first_long;
     return number(request.first, followed) * static_cast<double>(request.first + followed) / 4 +
-           number(jumped, request.last) * collisions::first_long / 2 *
+           number(jumped, request.last) * flight::macro::first_long / 2 *
                (1 + std::log10(std::max(1.0, longer)));
 }
 
@@ -44,7 +45,7 @@ Request part_of(const Part& part, long first, long last) {
     }
     // Measured with 15 and 50 digits: an enclosure costs about as much as 30 collisions, and those of its
     // orbit. Long orbits cost the same, or little more, however long they are.
-    const long fixed = collisions::is_long(first) ? greatest_count : 30;
+    const long fixed = flight::macro::is_long(first) ? greatest_count : 30;
     const auto [begin, end] = steps_of(part, {first, last + 1, fixed});
     Request request;
     request.first = begin.convert_to<long>();
@@ -79,7 +80,7 @@ std::vector<Row> enclose_ratios(const Request& request) {
 std::chrono::duration<double> estimated_time(const Request& request) {
     constexpr long sample_flights = 31, sample = 2 * sample_flights;  // a few milliseconds
     // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
-    const double longer = static_cast<double>(std::min(request.last, collisions::first_long)) / sample;
+    const double longer = static_cast<double>(std::min(request.last, flight::macro::first_long)) / sample;
     const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
     const auto enclose = [&] {
         const auto start = processor_time();

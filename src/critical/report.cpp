@@ -8,6 +8,7 @@
 #include "base/printable.hpp"
 #include "collisions/step_guess.hpp"
 #include "flight/extremal_orbit.hpp"
+#include "flight/macro/when.hpp"
 #include "number/decimal.hpp"
 #include "words/text_table.hpp"
 
@@ -80,7 +81,7 @@ std::string single_text(const Report& report) {
                     : fmt::format("It is within {} of the digits shown (cut off, not rounded).\n", p.radius);
     const flight::ExtremalFlight flight = flight::tangent_flight(row.n);
     const std::string what = fmt::format("flight {} of the {} orbit", flight.flight, orbit_name(row.n));
-    text += collisions::is_long(row.n) ? long_foundation("J", what) : foundation(what);
+    text += flight::macro::is_long(row.n) ? long_foundation("J", what) : foundation(what);
     return text;
 }
 
@@ -123,10 +124,10 @@ std::string range_text(const Report& report) {
         text +=
             "Proved: at q_c(N) the maximum steps from N - 1 to N.\n"
             "It is within the radius of the digits shown (cut off, not rounded).\n";
-        const bool first_is_long = collisions::is_long(report.request.first);
-        const bool last_is_long = collisions::is_long(report.request.last);
+        const bool first_is_long = flight::macro::is_long(report.request.first);
+        const bool last_is_long = flight::macro::is_long(report.request.last);
         text += first_is_long ? "" : foundation("that flight of the orbit");
-        const std::string from = fmt::format("From N = {} on, j", collisions::first_long);
+        const std::string from = fmt::format("From N = {} on, j", flight::macro::first_long);
         text += last_is_long ? long_foundation(first_is_long ? "J" : from, "that flight of the orbit") : "";
     }
     return text;
@@ -174,10 +175,10 @@ Json row_json(const Row& row, const Report& report) {
 std::string method(long first, long last) {
     const std::string newton = "interval Newton: exactly one tangency in the bracket";
     const std::string counts = "numbers of collisions at both ends, by macro steps (L42)";
-    if (collisions::is_long(first) || !collisions::is_long(last)) {
-        return collisions::is_long(first) ? counts : newton;
+    if (flight::macro::is_long(first) || !flight::macro::is_long(last)) {
+        return flight::macro::is_long(first) ? counts : newton;
     }
-    return newton + "; from N = " + std::to_string(collisions::first_long) + " on " + counts;
+    return newton + "; from N = " + std::to_string(flight::macro::first_long) + " on " + counts;
 }
 
 }  // namespace

@@ -61,8 +61,7 @@ std::optional<std::vector<collisions::Piece>> prove_steps(const Interrupted& int
                                                           Observer& observer) {
     const PrecisionScope scope(bits);
     const Constants constants;
-    collisions::PieceOptions options =
-        collisions::piece_options(collisions::Scene::dumbbell, collisions::Section::turning);
+    collisions::PieceOptions options = collisions::piece_options({});
     options.describes = false;
     options.interrupted = interrupted;
     std::vector<collisions::Piece> steps(last_step - first_step + 1);

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <tuple>
 #include <vector>
 
-#include "collisions/body/witness.hpp"
-#include "collisions/demand.hpp"
+#include "collisions/chart.hpp"
+#include "collisions/claim.hpp"
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
+#include "collisions/sections/body_witness.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
@@ -22,6 +22,7 @@ namespace dumbbell::page {
 
 using collisions::Certificate;
 using collisions::Piece;
+using collisions::System;
 
 namespace {
 
@@ -110,13 +111,12 @@ class Kinds {
     std::map<collisions::Reason, long> leaves_;
 };
 
-Json axes_json(collisions::Chart chart, const Piece& piece,
-               const std::optional<collisions::Heights>& heights) {
-    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi, heights);
+Json axes_json(collisions::Chart chart, const Piece& piece, const System& system) {
+    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi, system);
     Json axes = Json::array();
-    for (const Axis axis : {Axis::position, Axis::slope, Axis::ratio, Axis::rho}) {
+    for (const Axis axis : collisions::all_axes) {
         const auto number = static_cast<std::size_t>(axis);
-        if (axis == Axis::rho && !heights) {
+        if (axis == Axis::rho && !system.rho) {
             continue;
         }
         axes.add(Json::object({{"name", axis_name(chart, axis)},
@@ -126,9 +126,8 @@ Json axes_json(collisions::Chart chart, const Piece& piece,
     return axes;
 }
 
-Json chart_json(const collisions::ChartTree& chart, const Piece& piece,
-                const std::optional<collisions::Heights>& heights, const Kinds& kinds,
-                const BoxBudget& budget) {
+Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const System& system,
+                const Kinds& kinds, const BoxBudget& budget) {
     PictureTree tree;
     tree.reserve(chart.tree.size());
     for (const collisions::Node& node : chart.tree) {
@@ -136,37 +135,38 @@ Json chart_json(const collisions::ChartTree& chart, const Piece& piece,
                                   : kinds.number(node.leaf));
     }
     Json json = tree_json(tree, budget);
-    json.add("chart", name(chart.chart));
-    json.add("axes", axes_json(chart.chart, piece, heights));
+    json.add("chart", row_of(chart.chart).name);
+    json.add("axes", axes_json(chart.chart, piece, system));
     return json;
 }
 
 /// Of a witness close to the corner a contact that has as many collisions in the middle of the piece, where
 /// the page draws it, if one is found.
-Json witness_json(const Piece& piece, const std::optional<collisions::Heights>& heights) {
+Json witness_json(const Piece& piece, const System& system) {
     const collisions::Witness& witness = *piece.witness;
     std::optional<collisions::Witness> drawn = witness;
-    if (witness.chart == collisions::Chart::corner) {
+    if (witness.place == collisions::Place::corner) {
         const Rational q = exact(std::sqrt((piece.q_lo * piece.q_hi).convert_to<double>()));
-        const Rational rho = (heights->lo + heights->hi) / 2;
-        drawn = collisions::found_contact(q, q, {rho, rho}, as_long(witness.total()), never);
+        const Rational rho = (system.rho->lo + system.rho->hi) / 2;
+        drawn = collisions::found_contact({q, q}, {system.section, collisions::Range{rho, rho}},
+                                          as_long(witness.total()), never);
     }
-    return Json::object({{"chart", name(witness.chart)},
+    return Json::object({{"chart", name(witness.place)},
                          {"e", drawn ? Json(to_fraction(drawn->e)) : Json()},
                          {"eta", drawn ? Json(to_fraction(drawn->eta)) : Json()},
                          {"forward", witness.forward},
                          {"backward", witness.backward}});
 }
 
-const char* symbol_of(const Certificate& certificate) { return certificate.heights ? "Q" : "q"; }
+const char* symbol_of(const Certificate& certificate) { return certificate.system.rho ? "Q" : "q"; }
 
 Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds& kinds,
                 const BoxBudget& budget) {
-    const bool has_paper = row_of(certificate.scene).has_paper_bound && piece.q_lo >= 1 &&
+    const bool has_paper = row_of(certificate.system.section).has_paper_bound && piece.q_lo >= 1 &&
                            piece.q_hi <= flight::paper_bound_limit();
     Json trees = Json::array();
     for (const collisions::ChartTree& chart : piece.cover.charts) {
-        trees.add(chart_json(chart, piece, certificate.heights, kinds, budget));
+        trees.add(chart_json(chart, piece, certificate.system, kinds, budget));
     }
     return Json::object(
         {{"lo", to_fraction(piece.q_lo)},
@@ -183,15 +183,14 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
          {"symmetric", piece.cover.symmetric},
          {"paper", has_paper ? Json::array({flight::paper_bound(piece.q_lo), flight::paper_bound(piece.q_hi)})
                              : Json()},
-         {"witness", piece.witness ? witness_json(piece, certificate.heights) : Json()},
+         {"witness", piece.witness ? witness_json(piece, certificate.system) : Json()},
          {"trees", trees}});
 }
 
 /// " = 1", " from 1/2 to 3/4".
-std::string text_of(const collisions::Heights& heights) {
-    return heights.lo == heights.hi
-               ? " = " + exact_text(heights.lo)
-               : fmt::format(" from {} to {}", exact_text(heights.lo), exact_text(heights.hi));
+std::string text_of(const collisions::Range& rho) {
+    return rho.is_single() ? " = " + exact_text(rho.lo)
+                           : fmt::format(" from {} to {}", exact_text(rho.lo), exact_text(rho.hi));
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.
@@ -209,41 +208,38 @@ std::pair<std::optional<Count>, Count> bounds_of(const Certificate& certificate)
 
 Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     const Kinds kinds(certificate);
-    const collisions::SceneRow& row = row_of(certificate.scene);
+    const collisions::SectionRow& row = row_of(certificate.system.section);
     const auto [upper, lower] = bounds_of(certificate);
     Json pieces = Json::array();
     for (const Piece& piece : certificate.pieces) {
         pieces.add(piece_json(piece, certificate, kinds, budget));
     }
-    const auto& heights = certificate.heights;
+    const auto& rho = certificate.system.rho;
     const std::string where =
-        heights ? fmt::format("{} with \u03c1 = d2/d1{} (in a plane, as long as it meets no corner)",
-                              row.where, text_of(*heights))
-                : std::string(row.where);
-    return Json::object({{"claim", "collisions"},
-                         {"scene", name(certificate.scene)},
-                         {"system", heights ? fmt::format("The body with \u03c1{}", text_of(*heights))
-                                            : std::string(row.system)},
-                         {"where", where},
-                         {"symbol", symbol_of(certificate)},
-                         {"ratio", heights ? "Q = (d1/k)\u00b2" : "mass ratio q"},
-                         {"rho", heights ? Json(to_fraction((heights->lo + heights->hi) / 2)) : Json()},
-                         {"has_orbits", row.has_orbits},
-                         {"section", name(certificate.section)},
-                         {"lo_text", exact_text(certificate.q_lo())},
-                         {"hi_text", exact_text(certificate.q_hi())},
-                         {"upper", upper},
-                         {"lower", lower},
-                         {"kinds", kinds.json()},
-                         {"totals", kinds.totals()},
-                         {"pieces", pieces}});
+        rho ? fmt::format("{} with \u03c1 = d2/d1{} (in a plane, as long as it meets no corner)", row.where,
+                          text_of(*rho))
+            : std::string(row.where);
+    return Json::object(
+        {{"claim", "collisions"},
+         {"scene", row.scene},
+         {"system", rho ? fmt::format("The body with \u03c1{}", text_of(*rho)) : std::string(row.system)},
+         {"where", where},
+         {"symbol", symbol_of(certificate)},
+         {"ratio", rho ? "Q = (d1/k)\u00b2" : "mass ratio q"},
+         {"rho", rho ? Json(to_fraction((rho->lo + rho->hi) / 2)) : Json()},
+         {"has_orbits", row.has_orbits},
+         {"section", row.section},
+         {"lo_text", exact_text(certificate.q_lo())},
+         {"hi_text", exact_text(certificate.q_hi())},
+         {"upper", upper},
+         {"lower", lower},
+         {"kinds", kinds.json()},
+         {"totals", kinds.totals()},
+         {"pieces", pieces}});
 }
 
 std::string claim_options(const Certificate& certificate) {
-    std::vector<const Piece*> pieces;
-    std::ranges::transform(certificate.pieces, std::back_inserter(pieces),
-                           [](const Piece& piece) { return &piece; });
-    return options_to_check(certificate, pieces);
+    return options_to_check(claim_of(certificate), pieces_of(certificate));
 }
 
 }  // namespace dumbbell::page

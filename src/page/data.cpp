@@ -99,7 +99,7 @@ std::string body_map(const std::vector<ReportedFile>& files) {
     std::vector<collisions::Certificate> bodies;
     for (const ReportedFile& file : files) {
         const auto* certificate = std::get_if<collisions::Certificate>(&file.content);
-        if (certificate != nullptr && certificate->heights) {
+        if (certificate != nullptr && certificate->system.rho) {
             bodies.push_back(*certificate);
         }
     }

@@ -69,10 +69,10 @@ std::string kind_of(const Piece& piece) {
     return piece.status() == Status::exact ? count_kind(piece.lower) : "hatched";
 }
 
-void draw_piece(Svg& svg, const Frame& frame, const collisions::Heights& heights, const Piece& piece) {
-    const double left = frame.x(value(heights.lo));
+void draw_piece(Svg& svg, const Frame& frame, const collisions::Range& rho, const Piece& piece) {
+    const double left = frame.x(value(rho.lo));
     const double top = frame.y(value(piece.q_hi));
-    const double width = frame.x(value(heights.hi)) - left;
+    const double width = frame.x(value(rho.hi)) - left;
     const double height = frame.y(value(piece.q_lo)) - top;
     constexpr double radius = 9;
     constexpr double least_width = 6;  // of what has no width of its own
@@ -135,7 +135,7 @@ std::string body_map_svg(const std::vector<Certificate>& certificates) {
     frame.open_clip(svg);
     for (const Certificate& certificate : certificates) {
         for (const Piece& piece : certificate.pieces) {
-            draw_piece(svg, frame, *certificate.heights, piece);
+            draw_piece(svg, frame, *certificate.system.rho, piece);
         }
     }
     svg.path("massless", massless(frame, hi));

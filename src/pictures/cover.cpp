@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "number/decimal.hpp"
@@ -138,7 +139,6 @@ ChartWords words_of(Chart chart) {
         case Chart::plain_departure:
             return {"collisions of the light mass", "eta: slope above the tangent"};
         case Chart::wedge:
-        case Chart::corner:
             break;
     }
     throw BrokenInvariant("a cover picture of a wedge");
@@ -183,7 +183,7 @@ std::string caption_of(const collisions::Piece& piece, const Rational& q, std::s
     const bool is_full = is_contact(cover.panels.front().chart);
     std::string charts;
     for (const Panel& panel : cover.panels) {
-        charts += fmt::format("{}{}: {}", charts.empty() ? "" : "; ", name(panel.chart),
+        charts += fmt::format("{}{}: {}", charts.empty() ? "" : "; ", row_of(panel.chart).name,
                               words_of(panel.chart).states);
     }
     std::string text = fmt::format(
@@ -252,7 +252,7 @@ std::string cover_svg(const collisions::Piece& piece, const Rational& q) {
             svg.circle("witness", frame.x(value(piece.witness->e)), frame.y(value(piece.witness->eta)), 5);
         }
         frame.draw_axes(svg);
-        svg.text(frame.left(), frame.top() - 8, fmt::format("chart {}", name(panel.chart)));
+        svg.text(frame.left(), frame.top() - 8, fmt::format("chart {}", row_of(panel.chart).name));
         x += width + between_panels;
     }
     draw_caption(svg, cover_left, caption_top, caption);

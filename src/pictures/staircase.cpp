@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "flight/growth_constant.hpp"
 #include "flight/paper_bound.hpp"
 #include "pictures/frame.hpp"
@@ -18,7 +18,6 @@
 namespace dumbbell::pictures {
 
 using collisions::Piece;
-using collisions::Scene;
 using collisions::Status;
 
 namespace {
@@ -97,7 +96,7 @@ struct Counts {
 /// Counts from 0 on are evenly spaced up to here.
 constexpr long many = 20;
 
-Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
+Counts counts_of(const std::vector<Piece>& pieces, bool may_have_paper) {
     long least = as_long(pieces.front().lower);
     long most = 2;
     for (const Piece& piece : pieces) {
@@ -107,7 +106,7 @@ Counts counts_of(const std::vector<Piece>& pieces, Scene scene) {
     const long highest = flight::paper_bound(pieces.back().q_hi);
     constexpr long share = 4;  // of the axis, at least, that is left to the steps
     const bool has_paper =
-        row_of(scene).has_paper_bound && (highest <= many || highest - least <= share * (most - least) + 8);
+        may_have_paper && (highest <= many || highest - least <= share * (most - least) + 8);
     return {least, has_paper ? highest : most, has_paper};
 }
 
@@ -144,7 +143,8 @@ void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
 
 }  // namespace
 
-std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
+std::string staircase_svg(const collisions::Certificate& certificate) {
+    const std::vector<Piece>& pieces = certificate.pieces;
     require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
     const double q_lo = value(pieces.front().q_lo);
     const double q_hi = value(pieces.back().q_hi);
@@ -158,8 +158,8 @@ std::string staircase_svg(const std::vector<Piece>& pieces, Scene scene) {
         return std::any_of(pieces.begin(), pieces.end(),
                            [&](const Piece& piece) { return piece.status() == status; });
     };
-    const collisions::SceneRow& row = row_of(scene);
-    const Counts counts = counts_of(pieces, scene);
+    const collisions::SectionRow& row = row_of(certificate.system.section);
+    const Counts counts = counts_of(pieces, row.has_paper_bound);
     std::vector<LegendEntry> entries{{Swatch::curve, "proved", "proved maximum N(q)"}};
     if (has(Status::gap)) {
         entries.push_back({Swatch::area, "gap", "gap: one of two values"});

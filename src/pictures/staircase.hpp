@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "collisions/certificate.hpp"
 
@@ -13,7 +12,6 @@ namespace dumbbell::pictures {
 /// value is proved; gap pieces are filled between their two values; open pieces are hatched. Counts that grow
 /// many times over are drawn by their logarithm. Precondition: at least one piece, q_lo < q_hi <=
 /// paper_bound_limit(). Throws InputError for a range narrower than doubles tell apart.
-[[nodiscard]] std::string staircase_svg(const std::vector<collisions::Piece>& pieces,
-                                        collisions::Scene scene);
+[[nodiscard]] std::string staircase_svg(const collisions::Certificate& certificate);
 
 }  // namespace dumbbell::pictures

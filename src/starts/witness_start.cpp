@@ -71,7 +71,7 @@ Box point(const Rational& phi, const Rational& phidot, const Rational& y, const 
 
 std::optional<collisions::WitnessStart> witness_start(const collisions::Witness& witness, const Rational& q,
                                                       const Interrupted& interrupted) {
-    if (witness.total() > longest_witness || witness.chart != collisions::Chart::bridge) {
+    if (witness.total() > longest_witness || witness.place != collisions::Place::bridge) {
         return std::nullopt;
     }
     for (const auto& [places, digits] : efforts) {

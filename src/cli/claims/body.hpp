@@ -3,7 +3,7 @@
 #include <array>
 
 #include "cli/options/given.hpp"
-#include "collisions/certify.hpp"
+#include "collisions/claim.hpp"
 
 namespace dumbbell::cli {
 
@@ -22,11 +22,8 @@ inline constexpr std::array body_options{
 /// Whether an option says that the claim is about a body with mass between its contacts.
 [[nodiscard]] bool is_about_body(const Given& given);
 
-/// `--ratio 10 --rod-mass 1/100`, if the body is a dumbbell with a rod; else empty.
-[[nodiscard]] std::string rod_words(const Given& given);
-
-/// Its ratio Q and its heights. Throws InputError if the options do not say, or say no body whose mass is
-/// between its contacts.
-[[nodiscard]] collisions::CertifyRequest body_request(const Given& given);
+/// The claim about it, with the usual gap. Throws InputError if the options do not say, or say no body whose
+/// mass is between its contacts.
+[[nodiscard]] collisions::Claim body_claim(const Given& given);
 
 }  // namespace dumbbell::cli

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "cli/options/given.hpp"
-#include "collisions/certify.hpp"
-#include "collisions/names.hpp"
+#include "collisions/claim.hpp"
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
@@ -24,15 +23,12 @@ inline constexpr std::array claim_options{
            "turning"},
     Option{"--gap", "REL", "ranges: relative width of the gap around a critical ratio, from 1e-300 to 0.01",
            "1e-6"}};
-static_assert(are_names_of<collisions::Scene>(claim_options[0].value) &&
-              are_names_of<collisions::Section>(claim_options[1].value));
 
 /// What is said first if the ratios were given below 1.
 inline constexpr const char* masses_are_swapped = "Ratios below 1: the masses are swapped, q -> 1/q.\n";
 
-/// The claim as a request, with the standard number of jobs and no budget; of a body without a `ratio`.
-/// Throws InputError if the options contradict one another.
-[[nodiscard]] collisions::CertifyRequest request_of(const Given& given,
-                                                    const std::optional<RatioArgument>& ratio);
+/// The claim; of a body without a `ratio`. Throws InputError if the options contradict one another, or are
+/// out of reach.
+[[nodiscard]] collisions::Claim claim_of(const Given& given, const std::optional<RatioArgument>& ratio);
 
 }  // namespace dumbbell::cli

@@ -17,11 +17,11 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "collisions/demand.hpp"
+#include "collisions/claim.hpp"
 #include "collisions/part.hpp"
 #include "collisions/proof_report.hpp"
 #include "collisions/reader.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
@@ -78,32 +78,34 @@ constexpr std::array certify_options = joined(
         json_option,
         flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
 
-std::optional<collisions::RatioPart> part_of(const Given& given, const CertifyRequest& whole) {
+std::optional<collisions::RatioPart> part_of(const Given& given, const collisions::Claim& whole) {
     if (!given.has("--part")) {
         return std::nullopt;
     }
     const Part part = parse_part(given.text("--part"));
-    if (whole.q_lo == whole.q_hi || whole.heights) {
-        throw InputError("--part is for a range LO:HI: a single mass ratio has no parts, nor has a body");
+    if (whole.range.is_single()) {
+        throw InputError("--part is for a range LO:HI: a single mass ratio has no parts");
     }
-    return part_of(part, whole.scene, whole.q_lo, whole.q_hi);
+    return collisions::part_of(part, whole);
 }
 
+bool has_orbits(const CertifyRequest& request) { return row_of(request.claim.system.section).has_orbits; }
+
 CertifyRequest certify_request(const Given& given, const std::optional<RatioArgument>& ratio) {
-    CertifyRequest request = request_of(given, ratio);
-    if (given.has("--witness") && !row_of(request.scene).has_orbits) {
+    CertifyRequest request{.claim = claim_of(given, ratio)};
+    if (given.has("--witness") && !has_orbits(request)) {
         throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
-                                     name(request.scene)));
+                                     row_of(request.claim.system.section).scene));
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
     // Of a range nothing else prints it.
-    request.describes = request.q_lo == request.q_hi || given.has("--json") || given.has("--witness");
+    request.describes = request.claim.range.is_single() || given.has("--json") || given.has("--witness");
     return request;
 }
 
 std::vector<ProvedPiece> prove_pieces(CertifyRequest request, Verbosity verbosity) {
-    const bool single = request.q_lo == request.q_hi;
+    const bool single = request.claim.range.is_single();
     Progress progress(single ? "boxes" : "steps", verbosity, single ? "proving" : "looking for steps");
     request.observer = &progress;
     return certify(request);
@@ -122,16 +124,11 @@ std::string why_no_start(const collisions::Witness& witness) {
 collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                                  double seconds, const Given& given) {
     const bool witness = given.has("--witness");
-    const bool said_unasked = !given.has("--json") && !given.has("--quiet") && request.q_lo == request.q_hi &&
-                              row_of(request.scene).has_orbits;
+    const bool said_unasked = !given.has("--json") && !given.has("--quiet") &&
+                              request.claim.range.is_single() && has_orbits(request);
     const Progress progress("", verbosity_of(given), "enclosing the orbits of witnesses");
     const Interrupted interrupted = deadline(std::nullopt);
-    collisions::ProofReport report{.scene = request.scene,
-                                   .section = request.section,
-                                   .heights = request.heights,
-                                   .q_lo = request.q_lo,
-                                   .q_hi = request.q_hi,
-                                   .gap = request.gap,
+    collisions::ProofReport report{.claim = request.claim,
                                    .jobs = request.jobs,
                                    .seconds = seconds,
                                    .undecided = undecided_share(pieces)};
@@ -152,10 +149,6 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
     return report;
 }
 
-collisions::Certificate frame_of(const CertifyRequest& request) {
-    return {.pieces = {}, .scene = request.scene, .section = request.section, .heights = request.heights};
-}
-
 std::vector<const collisions::Piece*> pieces_of(const std::vector<ProvedPiece>& proved) {
     std::vector<const collisions::Piece*> pieces;
     pieces.reserve(proved.size());
@@ -166,7 +159,7 @@ std::vector<const collisions::Piece*> pieces_of(const std::vector<ProvedPiece>& 
 }
 
 SealedText certificate_text(const CertifyRequest& request, const std::vector<ProvedPiece>& proved) {
-    return render(frame_of(request), pieces_of(proved));
+    return render({.pieces = {}, .system = request.claim.system}, pieces_of(proved));
 }
 
 bool is_open(const std::vector<ProvedPiece>& pieces) {
@@ -187,12 +180,11 @@ std::vector<ProvedPiece> kept_pieces(const CertifyRequest& request, const std::s
         return pieces;
     }
     collisions::Certificate kept = collisions::read_certificate(file);
-    const bool is_same = !kept.sha256.empty() && kept.scene == request.scene &&
-                         kept.section == request.section && kept.q_lo() == request.q_lo &&
-                         kept.q_hi() == request.q_hi;
+    const bool is_same =
+        !kept.sha256.empty() && kept.system == request.claim.system && kept.range() == request.claim.range;
     for (std::size_t i = 0; is_same && i < kept.pieces.size(); ++i) {
         pieces.emplace_back().piece = std::move(kept.pieces[i]);
-        if (request.describes && row_of(request.scene).has_orbits) {
+        if (request.describes && has_orbits(request)) {
             describe_witness(pieces.back());
         }
     }
@@ -217,7 +209,7 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
     answer.is_decided = !is_open(pieces);
     const SealedText certificate = out.empty() ? SealedText{} : certificate_text(request, pieces);
     answer.certificate = certificate.text;
-    answer.claim = answer.is_decided ? whole_demand(frame_of(request), pieces_of(pieces)) : "";
+    answer.claim = answer.is_decided ? whole_demand(request.claim, pieces_of(pieces)) : "";
     if (given.has("--json")) {
         collisions::ProofReport report = describe(request, pieces, seconds, given);
         if (!out.empty()) {
@@ -242,8 +234,7 @@ int run_certify(const Given& given) {
             [&](const RatioArgument& ratio, const std::string& out) {
                 return certify_line(given, ratio, out);
             },
-            fmt::format("dumbbell {} certify --list --scene {} --section {} --gap {}", DUMBBELL_VERSION,
-                        name(request.scene), name(request.section), to_fraction(request.gap)));
+            fmt::format("dumbbell {} {}", DUMBBELL_VERSION, command(request.claim)));
     }
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
@@ -251,21 +242,17 @@ int run_certify(const Given& given) {
     require_certificate_name(given);
     const auto ratio = body ? std::nullopt : std::optional(parse_ratio_argument(given.text("RATIO")));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
-    const auto part = part_of(given, request);
+    const auto part = part_of(given, request.claim);
     if (part) {
-        request.q_lo = part->q_lo;
-        request.q_hi = part->q_hi;
+        request.claim.range = part->range;
     }
     const bool json = given.has("--json"), quiet = given.has("--quiet"), witness = given.has("--witness");
     const Output output(given.text("--out"), {}, json ? "--json" : nullptr);
     std::optional<collisions::PieceStore> store;
     const std::string partial = given.text("--out") + ".partial";
     if (output.file()) {
-        if (request.q_lo < request.q_hi &&
-            !request.heights) {  // it may take long: its finished pieces are kept
-            request.store =
-                &store.emplace(partial, collisions::StoredClaim{request.scene, request.section, request.q_lo,
-                                                                request.q_hi, request.gap});
+        if (!request.claim.range.is_single()) {  // it may take long: its finished pieces are kept
+            request.store = &store.emplace(partial, request.claim);
         } else {
             collisions::PieceStore::require_none(partial);
         }
@@ -281,7 +268,6 @@ int run_certify(const Given& given) {
     }
     collisions::ProofReport report = describe(request, pieces, seconds, given);
     report.part = part;
-    report.rod = rod_words(given);
     if (output.is_wanted()) {
         write(certificate_text(request, pieces), output, report);
     }

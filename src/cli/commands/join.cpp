@@ -67,11 +67,8 @@ std::unique_ptr<Parts> parts_of(const Given& given) {
         throw InputError(fmt::format(
             "'{}' is a table of critical ratios, and '{}' is not: join one kind at a time", *table, *other));
     }
-    if (given.has("--gap")) {
-        (void)parse_gap(given.text("--gap"));
-    }
-    return table != names.end() ? table_parts(names.size())
-                                : certificate_parts(names.size(), given.text("--gap"));
+    const auto gap = given.has("--gap") ? std::optional(parse_gap(given.text("--gap"))) : std::nullopt;
+    return table != names.end() ? table_parts(names.size()) : certificate_parts(names.size(), gap);
 }
 
 /// All files, or, if the program is asked to stop, some.

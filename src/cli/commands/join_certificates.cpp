@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "cli/commands/join_parts.hpp"
-#include "collisions/names.hpp"
+#include "collisions/claim.hpp"
 #include "collisions/verified.hpp"
 #include "collisions/writer.hpp"
 #include "file/verifier_program.hpp"
@@ -12,6 +12,7 @@
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
+
 namespace {
 
 using collisions::Certificate;
@@ -19,26 +20,20 @@ using collisions::Piece;
 
 class CertificateParts : public Parts {
   public:
-    CertificateParts(std::size_t files, const std::string& gap)
-        : Parts(Content::certificate, "the mass ratios", "dumbbell certify"),
+    CertificateParts(std::size_t files, const std::optional<Rational>& gap)
+        : Parts(Content::certificate),
           certificates_(files),
+          claims_(files, collisions::Claim{.gap = 0}),
           gap_(gap) {}
 
     [[nodiscard]] PartFile take(std::size_t i, const std::string& name, int jobs) override {
         PartFile file{name, i};
         try {
-            if (const auto claimed = collisions::claimed_range(name)) {
-                file.range = Range{claimed->q_lo, claimed->q_hi};
-                file.options = options(claimed->scene, claimed->section);
+            if (const auto claimed = collisions::claim_in(name)) {
+                tell(file, *claimed);
             }
-            Certificate& certificate = certificates_[i] = collisions::verified_certificate(name, jobs);
-            if (certificate.heights) {
-                file.range.reset();
-                throw InputError(
-                    fmt::format("'{}' is about rigid bodies, which have no parts: leave it out", name));
-            }
-            file.range = Range{certificate.q_lo(), certificate.q_hi()};
-            file.options = options(certificate.scene, certificate.section);
+            const Certificate& certificate = certificates_[i] = collisions::verified_certificate(name, jobs);
+            tell(file, claim_of(certificate));
             file.pieces = certificate.pieces.size();
             file.open = static_cast<std::size_t>(
                 std::ranges::count(certificate.pieces, collisions::Status::open, &Piece::status));
@@ -58,7 +53,7 @@ class CertificateParts : public Parts {
                 pieces.push_back(&piece);
             }
         }
-        return render(Certificate{.pieces = {}, .scene = one.scene, .section = one.section}, pieces);
+        return render(Certificate{.pieces = {}, .system = one.system}, pieces);
     }
 
     [[nodiscard]] Range parse_range(const std::string& text) const override {
@@ -68,34 +63,34 @@ class CertificateParts : public Parts {
     [[nodiscard]] std::string first(const Range& range) const override { return exact_text(range.begin); }
     [[nodiscard]] std::string last(const Range& range) const override { return exact_text(range.end); }
 
-  private:
-    [[nodiscard]] static std::string options(collisions::Scene scene, collisions::Section section) {
-        return (scene == collisions::Scene() ? "" : fmt::format(" --scene {}", name(scene))) +
-               (section == collisions::Section() ? "" : fmt::format(" --section {}", name(section)));
+    [[nodiscard]] std::string what() const override {
+        const bool bodies = std::ranges::any_of(
+            claims_, [](const collisions::Claim& claim) { return claim.system.rho.has_value(); });
+        return bodies ? "Q from" : "the mass ratios";
     }
-    [[nodiscard]] std::string gap_option() const override {
-        std::string gap = gap_;
-        Rational widest = 0;
-        for (const Certificate& certificate : certificates_) {
-            for (const Piece& piece : certificate.pieces) {
-                if (piece.status() == collisions::Status::gap) {
-                    widest = std::max(widest, Rational((piece.q_hi - piece.q_lo) / piece.q_lo));
-                }
-            }
-        }
-        if (gap.empty() && widest > 0 && widest <= Rational(1, 100)) {
-            gap = to_text(cut_up(widest, 1));
-        }
-        return gap.empty() ? "" : " --gap " + gap;
+    /// By default with the widest gap of all parts.
+    [[nodiscard]] std::string command(const Range& range, const PartFile* like) const override {
+        collisions::Claim claim = like == nullptr ? collisions::Claim{} : claims_[like->number];
+        claim.range = {range.begin, range.end};
+        claim.gap = gap_ ? *gap_ : std::ranges::max(claims_, {}, &collisions::Claim::gap).gap;
+        return collisions::command(claim);
+    }
+
+  private:
+    void tell(PartFile& file, const collisions::Claim& claim) {
+        file.range = Range{claim.range.lo, claim.range.hi};
+        file.kind = collisions::command({{1, 2}, claim.system});
+        claims_[file.number] = claim;
     }
 
     std::vector<Certificate> certificates_;
-    std::string gap_;
+    std::vector<collisions::Claim> claims_;
+    std::optional<Rational> gap_;
 };
 
 }  // namespace
 
-std::unique_ptr<Parts> certificate_parts(std::size_t files, const std::string& gap) {
+std::unique_ptr<Parts> certificate_parts(std::size_t files, const std::optional<Rational>& gap) {
     return std::make_unique<CertificateParts>(files, gap);
 }
 

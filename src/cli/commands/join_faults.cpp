@@ -10,21 +10,21 @@
 namespace dumbbell::cli {
 namespace {
 
-/// The options of the files that are believed.
-std::string common_options(const Parts& parts, const std::vector<PartFile>& files) {
+/// The first file that is believed, whose kind all others have; nullptr: there is none.
+const PartFile* first_believed(const Parts& parts, const std::vector<PartFile>& files) {
     const PartFile* first = nullptr;
     for (const PartFile& file : files) {
-        if (!file.fault.empty() || !file.options) {
+        if (!file.fault.empty() || !file.kind) {
             continue;
         }
         first = first == nullptr ? &file : first;
-        if (file.options != first->options) {
+        if (file.kind != first->kind) {
             throw InputError(fmt::format("'{}' and '{}' are of different claims: {}, and {}", first->name,
-                                         file.name, parts.command(*first->range, *first->options),
-                                         parts.command(*file.range, *file.options)));
+                                         file.name, parts.command(*first->range, first),
+                                         parts.command(*file.range, &file)));
         }
     }
-    return first == nullptr ? "" : *first->options;
+    return first;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ std::string common_options(const Parts& parts, const std::vector<PartFile>& file
 std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFile>& files,
                                    const Range& whole) {
     std::vector<std::string> faults;
-    const std::string options = common_options(parts, files);
+    const PartFile* believed = first_believed(parts, files);
     int missing = 0;
     const auto reach = [&](const Rational& from, const Rational& to) {
         if (from < to) {
@@ -41,7 +41,7 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
                 name = parts.file_name(fmt::format("missing-{}", ++missing));
             } while (std::filesystem::exists(name));
             faults.push_back(fmt::format("missing: {}; to make them: {} --out {}", parts.words({from, to}),
-                                         parts.command({from, to}, options), name));
+                                         parts.command({from, to}, believed), name));
         }
     };
     Rational reached = whole.begin;
@@ -73,10 +73,10 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
 }
 
 std::string with_command(const Parts& parts, const PartFile& file, const std::string& line) {
-    return !file.range ? line
-                       : fmt::format("{}; to make it again: {} --out {}", line,
-                                     parts.command(*file.range, file.options.value_or("")),
-                                     shell_file(parts.file_name(file.name)));
+    return !file.range
+               ? line
+               : fmt::format("{}; to make it again: {} --out {}", line, parts.command(*file.range, &file),
+                             shell_file(parts.file_name(file.name)));
 }
 
 }  // namespace dumbbell::cli

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/terminal/output.hpp"
@@ -24,16 +23,14 @@ struct PartFile {
     std::size_t number = 0;        ///< among all
     std::string fault{};           ///< why it is not believed; empty: it is
     std::optional<Range> range{};  ///< of a file that is not believed what it claims, if that can be read
-    /// Those of the command that makes it, but for range and output; nothing if it does not tell.
-    std::optional<std::string> options{};
+    /// All parts have one; nothing if it does not tell.
+    std::optional<std::string> kind{};
     std::size_t pieces = 0, open = 0;
 };
 
 class Parts {
   public:
-    /// `what` they are about, and the `command` that makes them.
-    Parts(Content content, std::string what, std::string command)
-        : content_(content), what_(std::move(what)), command_(std::move(command)) {}
+    explicit Parts(Content content) : content_(content) {}
     virtual ~Parts() = default;
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
@@ -50,14 +47,14 @@ class Parts {
     [[nodiscard]] virtual Range parse_range(const std::string& text) const = 0;
     [[nodiscard]] virtual std::string first(const Range& range) const = 0;
     [[nodiscard]] virtual std::string last(const Range& range) const = 0;
+    /// They are about.
+    [[nodiscard]] virtual std::string what() const = 0;
     /// `the mass ratios 1 to 100`.
     [[nodiscard]] std::string words(const Range& range) const {
-        return what_ + " " + first(range) + " to " + last(range);
+        return what() + " " + first(range) + " to " + last(range);
     }
-    /// That makes such a part, but for where it writes.
-    [[nodiscard]] std::string command(const Range& range, const std::string& options) const {
-        return command_ + " " + first(range) + ":" + last(range) + options + gap_option();
-    }
+    /// That makes a part of this range, but for where it writes; `like` another file, if there is one.
+    [[nodiscard]] virtual std::string command(const Range& range, const PartFile* like) const = 0;
     /// The name with an ending that the command takes.
     [[nodiscard]] std::string file_name(const std::string& name) const {
         return name + (fault_of_name(name, content_).empty() ? ""
@@ -66,15 +63,11 @@ class Parts {
     }
 
   private:
-    /// ` --gap 1e-6`, of all parts that were taken; empty: they tell none.
-    [[nodiscard]] virtual std::string gap_option() const { return ""; }
-
     Content content_;
-    std::string what_, command_;
 };
 
 /// Of so many certificates; `gap` is for the commands, by default the widest of them all.
-[[nodiscard]] std::unique_ptr<Parts> certificate_parts(std::size_t files, const std::string& gap);
+[[nodiscard]] std::unique_ptr<Parts> certificate_parts(std::size_t files, const std::optional<Rational>& gap);
 /// Of so many tables of critical ratios.
 [[nodiscard]] std::unique_ptr<Parts> table_parts(std::size_t files);
 

@@ -17,8 +17,7 @@ using critical::Report;
 
 class TableParts : public Parts {
   public:
-    explicit TableParts(std::size_t files)
-        : Parts(Content::table, "the critical ratios for N =", "dumbbell critical"), tables_(files) {}
+    explicit TableParts(std::size_t files) : Parts(Content::table), tables_(files) {}
 
     [[nodiscard]] PartFile take(std::size_t i, const std::string& name, int /*in_parallel's*/) override {
         PartFile file{name, i};
@@ -26,7 +25,7 @@ class TableParts : public Parts {
             Report& table = tables_[i] = critical::read_table(name);
             file.range = Range{table.request.first, table.request.last + 1};
             if (table.request.digits > 0) {
-                file.options = fmt::format(" --digits {}", table.request.digits);
+                file.kind = fmt::format(" --digits {}", table.request.digits);
             }
             file.pieces = table.rows.size();
             file.open = static_cast<std::size_t>(
@@ -60,6 +59,12 @@ class TableParts : public Parts {
     }
     [[nodiscard]] std::string last(const Range& range) const override {
         return numerator(range.end - 1).str();
+    }
+
+    [[nodiscard]] std::string what() const override { return "the critical ratios for N ="; }
+    [[nodiscard]] std::string command(const Range& range, const PartFile* like) const override {
+        return fmt::format("dumbbell critical {}:{}{}", first(range), last(range),
+                           like == nullptr ? "" : like->kind.value_or(""));
     }
 
   private:

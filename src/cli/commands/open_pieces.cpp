@@ -14,7 +14,7 @@ using collisions::ProvedPiece;
 
 namespace {
 
-bool is_range(const CertifyRequest& request) { return request.q_lo < request.q_hi; }
+bool is_range(const CertifyRequest& request) { return !request.claim.range.is_single(); }
 
 /// What hinders the first open piece that was not only late; else time.
 Obstacle worst_obstacle(const std::vector<ProvedPiece>& pieces) {
@@ -31,21 +31,22 @@ std::string plain_advice(const CertifyRequest& request) {
         return ": --section plain needs many boxes, the more the nearer a critical ratio is: leave it out, "
                "or allow more time (--budget)";
     }
-    return request.gap < widest
+    return request.claim.gap < widest
                ? ": --section plain needs boxes in inverse proportion to the gap: try --gap 0.01"
                : ": allow more time (--budget), a shorter range, or leave --section plain out";
 }
 
 std::string reason(const CertifyRequest& request, Obstacle obstacle) {
-    if (request.heights && obstacle != Obstacle::time) {
+    const collisions::System& system = request.claim.system;
+    if (system.rho && obstacle != Obstacle::time) {
         return ": an orbit may have been missed, or more boxes are needed than are tried, as next to a tie";
     }
-    if (request.section == collisions::Section::plain && !request.heights &&
+    if (system.section == collisions::Section::plain &&
         (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);
     }
     const char* wider = is_range(request) ? ", or a wider --gap" : "";
-    const int most_bits = piece_options(request.scene, request.section).max_bits;
+    const int most_bits = piece_options(system).max_bits;
     switch (obstacle) {
         case Obstacle::maximum:
             return fmt::format(": {} bits do not tell it from a critical ratio", most_bits);
@@ -81,8 +82,9 @@ std::string advice(const CertifyRequest& request, const std::vector<ProvedPiece>
 
 std::string kept_when_stopped(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                               const std::optional<KeptPieces>& kept) {
-    if (!is_range(request) || request.heights) {
-        return request.heights ? "nothing is kept of a body" : "nothing is kept of a single ratio";
+    if (!is_range(request)) {
+        return request.claim.system.rho ? "nothing is kept of a single body"
+                                        : "nothing is kept of a single ratio";
     }
     const auto now = finished(pieces);
     if (now == 0 && (!kept || kept->number == 0)) {

@@ -10,9 +10,8 @@
 #include "base/error.hpp"
 #include "cli/commands/verify.hpp"
 #include "collisions/certify.hpp"
-#include "collisions/names.hpp"
 #include "collisions/reader.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
@@ -93,18 +92,20 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
 }
 
 /// Then it is drawn.
-void require_verified(const PlotRequest& request, const std::string& sha256, collisions::Scene scene) {
-    (void)verified(request.file, sha256, name(scene), *request.observer);
+void require_verified(const PlotRequest& request, const std::string& sha256,
+                      const collisions::System& system = {}) {
+    (void)verified(request.file, sha256, row_of(system.section).scene, *request.observer);
     request.observer->enter("drawing", "");
 }
 
 Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Certificate>(request.file, picture, make);
-    if (!row_of(certificate.scene).has_orbits) {
+    const collisions::SectionRow& row = row_of(certificate.system.section);
+    if (!row.has_orbits) {
         throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
-                                     name(certificate.scene), picture));
+                                     row.scene, picture));
     }
-    require_verified(request, certificate.sha256, certificate.scene);
+    require_verified(request, certificate.sha256, certificate.system);
     return certificate;
 }
 
@@ -112,7 +113,7 @@ Certificate verified_dumbbell(const PlotRequest& request, const char* picture, c
 template <class Kind>
 Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
     auto certificate = certificate_for<Kind>(request.file, picture, make);
-    require_verified(request, certificate.sha256, collisions::Scene::dumbbell);
+    require_verified(request, certificate.sha256);
     return certificate;
 }
 
@@ -134,7 +135,7 @@ bool is_ratio(const std::string& text) {
 Piece proved_piece(const Rational& q, Observer& observer) {
     observer.enter("proving", "boxes");
     collisions::CertifyRequest single;
-    single.q_lo = single.q_hi = q;
+    single.claim.range = {q, q};
     single.observer = &observer;
     std::vector<collisions::ProvedPiece> pieces = certify(single);
     return std::move(pieces.front().piece);
@@ -144,7 +145,7 @@ Piece proved_piece(const Rational& q, Observer& observer) {
 
 std::string draw_staircase(const PlotRequest& request) {
     const auto certificate = certificate_for<Certificate>(request.file, "staircase", make_staircase);
-    if (certificate.heights) {
+    if (certificate.system.rho) {
         throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", request.file));
     }
     if (certificate.q_lo() == certificate.q_hi()) {
@@ -154,8 +155,8 @@ std::string draw_staircase(const PlotRequest& request) {
         throw InputError(
             fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
     }
-    require_verified(request, certificate.sha256, certificate.scene);
-    return pictures::staircase_svg(certificate.pieces, certificate.scene);
+    require_verified(request, certificate.sha256, certificate.system);
+    return pictures::staircase_svg(certificate);
 }
 
 std::string draw_cover(const PlotRequest& request) {
@@ -207,11 +208,12 @@ std::string draw_bodies(const std::vector<std::string>& files, Observer& observe
     std::vector<Certificate> certificates;
     for (const std::string& file : files) {
         Certificate certificate = collisions::read_certificate(file);
-        if (!certificate.heights) {
+        const std::string_view scene = row_of(certificate.system.section).scene;
+        if (!certificate.system.rho) {
             throw InputError(fmt::format("'{}' is about the scene {}: plot body needs certificates by {}",
-                                         file, name(certificate.scene), make_body));
+                                         file, scene, make_body));
         }
-        (void)verified(file, certificate.sha256, name(certificate.scene), observer);
+        (void)verified(file, certificate.sha256, scene, observer);
         certificates.push_back(std::move(certificate));
     }
     return pictures::body_map_svg(certificates);

@@ -121,7 +121,7 @@ int bits_of_angle(const Given& given, int digits) {
 void require_short_lines(const starts::Box& box) {
     constexpr std::array names{"--phi", "--phidot", "--y", "--ydot", "RATIO"};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!collisions::fit_a_line(box.lo[i], box.hi[i])) {
+        if (!collisions::fits_a_line({box.lo[i], box.hi[i]})) {
             throw InputError(fmt::format(
                 "{}: too long for a line of a certificate (--out): write a number of fewer digits",
                 names[i]));
@@ -151,15 +151,15 @@ System system_of(const Given& given) {
     if (!is_about_body(given)) {
         return {given_ratio(given), {}};
     }
-    const collisions::CertifyRequest body = body_request(given);
-    const collisions::Heights& heights = *body.heights;
+    const collisions::Claim body = body_claim(given);
+    const collisions::Range& rho = *body.system.rho;
     if (given.has("--out")) {
         throw InputError("there are no certificates about starts of bodies: leave out --out");
     }
-    if (body.q_lo != body.q_hi || heights.lo != heights.hi) {
+    if (!body.range.is_single() || !rho.is_single()) {
         throw InputError("trace follows a single body: --rho and --inertia are numbers here, not ranges");
     }
-    return {{body.q_lo, body.q_lo, false}, heights.lo};
+    return {{body.range.lo, body.range.lo, false}, rho.lo};
 }
 
 starts::GivenStart start_of(const Given& given, const System& system, int digits) {

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "certificates.hpp"
 #include "collisions/piece_store.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "file/sha256.hpp"
 #include "target.hpp"
@@ -34,42 +34,35 @@ Rational any_dyadic(Choices& choices) {
 }
 
 /// A piece as the program may have it: what it says need not be true.
-Piece any_piece(Choices& choices, const StoredClaim& claim) {
+Piece any_piece(Choices& choices, const Claim& claim) {
     Piece piece;
     piece.q_lo = any_ratio(choices);
     piece.q_hi = std::max(piece.q_lo, any_ratio(choices));
     piece.bits = choices.coin() ? 53 : static_cast<int>(choices.between(53, 4096));
     piece.upper = choices.between(1, 20);
-    for (const Chart chart : row_of(claim.scene).charts(claim.section)) {
+    for (const Chart chart : row_of(claim.system.section).charts) {
         piece.cover.charts.push_back({chart, {}});
         grow_any_tree(choices, chart, 12, piece.cover.charts.back().tree);
     }
     piece.lower = choices.between(0, as_long(*piece.upper));
     if (piece.lower > 0) {
-        const Chart chart = claim.scene == Scene::dumbbell ? Chart::bridge : Chart::wedge;
+        const Place place = row_of(claim.system.section).has_orbits ? Place::bridge : Place::wedge;
         const Rational e = any_dyadic(choices);
         piece.witness =
-            Witness{e, any_dyadic(choices), choices.between(0, 20), choices.between(0, 20), chart};
+            Witness{e, any_dyadic(choices), choices.between(0, 20), choices.between(0, 20), place};
     }
     return piece;
 }
 
-StoredClaim any_claim(Choices& choices) {
-    constexpr Section sections[] = {Section::turning, Section::full, Section::plain};
-    constexpr Scene scenes[] = {Scene::hybrid, Scene::wedge};
-    StoredClaim claim{.q_lo = 1, .q_hi = 1000, .gap = Rational(1, 1000)};
-    const std::size_t kind = choices.below(5);
-    if (kind < 3) {
-        claim.section = sections[kind];
-    } else {
-        claim.scene = scenes[kind - 3];
-    }
-    return claim;
+Claim any_claim(Choices& choices) {
+    constexpr Section sections[] = {Section::turning, Section::full, Section::plain, Section::hybrid,
+                                    Section::wedge};
+    return {.range = {1, 1000}, .system = {sections[choices.below(5)]}, .gap = Rational(1, 1000)};
 }
 
 /// As text: the one spelling, so that equal text is equal data.
-std::string text_of(const Piece& piece, const StoredClaim& claim) {
-    return render({{"test", "1"}, {piece}, claim.scene, claim.section}).text;
+std::string text_of(const Piece& piece, const Claim& claim) {
+    return render({{"test", "1"}, {piece}, claim.system}).text;
 }
 
 void write(const fs::path& path, const std::string& bytes) {
@@ -92,7 +85,7 @@ std::string damaged(const std::string& whole, Choices& choices) {
     return checksum ? text + "sha256 " + sha256_hex(text) + "\n" : text;
 }
 
-bool opens(const fs::path& folder, const StoredClaim& claim) {
+bool opens(const fs::path& folder, const Claim& claim) {
     try {
         const PieceStore store(folder.string(), claim);
         return true;
@@ -101,7 +94,7 @@ bool opens(const fs::path& folder, const StoredClaim& claim) {
     }
 }
 
-void check_find(const PieceStore& store, const Piece& piece, const StoredClaim& claim, bool must_be_there) {
+void check_find(const PieceStore& store, const Piece& piece, const Claim& claim, bool must_be_there) {
     const auto found = store.find({piece.q_lo, piece.q_hi, as_long(*piece.upper), as_long(piece.lower)});
     must(found.has_value() || !must_be_there, "a piece that was kept is found");
     if (!found) return;
@@ -119,7 +112,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const fs::path folder = scratch / "pieces";
     Choices choices(data, size);
     const bool whole = choices.coin();
-    const StoredClaim claim = any_claim(choices);
+    const Claim claim = any_claim(choices);
     const Piece piece = any_piece(choices, claim);
     {
         const PieceStore store(folder.string(), claim);
@@ -136,8 +129,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     must(open || other != own, "a folder opens for its own claim");
     must(contents(folder / "claim") == (open ? own : other), "a damaged claim is made again, or left alone");
     if (whole) {
-        StoredClaim another = claim;
-        another.q_hi += 1;
+        Claim another = claim;
+        another.range.hi += 1;
         must(!opens(folder, another), "a folder that has a piece of one claim is not another's");
     }
     fs::remove_all(folder);

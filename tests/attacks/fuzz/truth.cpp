@@ -83,7 +83,7 @@ mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut;
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
 void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::collisions::Heights>& heights) {
+                  const std::optional<dumbbell::collisions::Range>& heights) {
     const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
     // The maximum does not decrease with q, nor do the bounds of a body with rho and Q.
     const Bounds at_lo = heights ? of_body(mpq_class(heights->lo.raw()), lo) : maximum(scene, lo),

@@ -29,6 +29,6 @@ struct Bounds {
 /// Ends the program if "N* <= upper and N* >= lower at all ratios of the piece" is certainly false.
 /// `heights`: of bodies.
 void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::collisions::Heights>& heights = {});
+                  const std::optional<dumbbell::collisions::Range>& heights = {});
 
 }  // namespace dumbbell_fuzz

@@ -26,43 +26,34 @@ Base base(const std::string& name, starts::Certificate data) {
     return {name, std::move(data), std::move(text), 1};
 }
 
-Certificate certificate(std::vector<Piece> pieces, Scene scene = Scene::dumbbell,
-                        Section section = Section::turning) {
-    return {{"mutation", "1.0"}, std::move(pieces), scene, section};
+Certificate certificate(std::vector<Piece> pieces, const System& system = {}) {
+    return {{"mutation", "1.0"}, std::move(pieces), system};
 }
 
 /// What `dumbbell certify` writes.
 Certificate certified(const std::string& lo, const std::string& hi, const std::string& gap = "1e-3",
-                      Scene scene = Scene::dumbbell, Section section = Section::turning) {
-    CertifyRequest request;
-    request.q_lo = parse_rational(lo);
-    request.q_hi = parse_rational(hi);
-    request.scene = scene;
-    request.section = section;
-    request.gap = parse_rational(gap);
+                      Section section = Section::turning) {
+    const CertifyRequest request{.claim = {.range = {parse_rational(lo), parse_rational(hi)},
+                                           .system = {section},
+                                           .gap = parse_rational(gap)}};
     std::vector<Piece> pieces;
     for (const ProvedPiece& piece : certify(request)) pieces.push_back(piece.piece);
-    return certificate(std::move(pieces), scene, section);
+    return certificate(std::move(pieces), {section});
 }
 
 /// Of bodies.
 Certificate bodies(const std::string& rho, const std::string& q_lo, const std::string& q_hi, long upper,
                    long lower) {
-    PieceOptions options;
-    options.section = Section::plain;
-    options.scene = Scene::body;
-    options.heights = Heights{parse_rational(rho), parse_rational(rho)};
-    Certificate result =
-        certificate({prove_piece(parse_rational(q_lo), parse_rational(q_hi), upper, lower, options).piece},
-                    Scene::body, Section::plain);
-    result.heights = options.heights;
-    return result;
+    const System system{Section::body, Range{parse_rational(rho), parse_rational(rho)}};
+    return certificate(
+        {prove_piece(parse_rational(q_lo), parse_rational(q_hi), upper, lower, {.system = system}).piece},
+        system);
 }
 
 Piece proved(const std::string& lo, const std::string& hi, long upper, long lower,
              Section section = Section::turning) {
     PieceOptions options;
-    options.section = section;
+    options.system.section = section;
     return prove_piece(parse_rational(lo), parse_rational(hi), upper, lower, options).piece;
 }
 /// Nothing is said of it.
@@ -76,7 +67,8 @@ Piece left_open(const std::string& lo, const std::string& hi) {
 /// States whose surroundings are split further, so that all opcodes occur: near the first of the chart light
 /// `meets`, near the second `meets-reversed`.
 bool near_meeting(const Box& box) {
-    const Rational e = box.e_lo, least = box.slope_lo, greatest = box.slope_hi, q = box.q_lo;
+    const Rational e = box[Axis::position].lo, least = box[Axis::slope].lo, greatest = box[Axis::slope].hi,
+                   q = box[Axis::ratio].lo;
     const Rational reversed = 2 * q / (q - 1);
     return e == 0 && (least == 0 || (least <= reversed && reversed <= greatest));
 }
@@ -88,7 +80,8 @@ void grow(Chart chart, const Box& box, const Count& upper, int depth, int done, 
         return;
     }
     require(done < depth + 20, "a deep tree does not close");
-    const bool ratio = Rational(box.q_lo) < Rational(box.q_hi) && done % 3 == 2 && done < depth;
+    const bool ratio =
+        Rational(box[Axis::ratio].lo) < Rational(box[Axis::ratio].hi) && done % 3 == 2 && done < depth;
     const Axis axis = ratio ? Axis::ratio : done % 2 == 0 ? Axis::position : Axis::slope;
     const auto [low, high] = halves(box, axis);
     tree.push_back({axis, {}});
@@ -150,19 +143,17 @@ std::vector<Base> bases(bool large) {
         base("loose", certificate({proved("4", "5", 6, 2)})),
         base("big", certified("4.603338848751702", "4.603338848751702")),
         base("big-range", certified("11.3622592088388", "11.3622592088389", "1e-18")),
-        base("full", certified("3", "3", "1e-3", Scene::dumbbell, Section::full)),
-        base("full-equal", certified("1", "1", "1e-3", Scene::dumbbell, Section::full)),
-        base("full-range", certified("2", "2.1", "1e-3", Scene::dumbbell, Section::full)),
-        base("full-deep", deep(certified("3/2", "3/2", "1e-3", Scene::dumbbell, Section::full), 3)),
-        base("full-again",
-             certificate({proved("30", "45", 20, 5, Section::full)}, Scene::dumbbell, Section::full)),
-        base("plain",
-             certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, Scene::dumbbell, Section::plain)),
+        base("full", certified("3", "3", "1e-3", Section::full)),
+        base("full-equal", certified("1", "1", "1e-3", Section::full)),
+        base("full-range", certified("2", "2.1", "1e-3", Section::full)),
+        base("full-deep", deep(certified("3/2", "3/2", "1e-3", Section::full), 3)),
+        base("full-again", certificate({proved("30", "45", 20, 5, Section::full)}, {Section::full})),
+        base("plain", certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, {Section::plain})),
         base("coin", bodies("1", "4", "4", 4, 4)),
         base("symmetric-range", bodies("1", "2", "3", 3, 3)),
-        base("wedge", certified("3", "3", "1e-3", Scene::wedge)),
-        base("wedge-range", certified("3", "7", "1e-3", Scene::wedge)),
-        base("hybrid-range", certified("5", "11", "1e-3", Scene::hybrid)),
+        base("wedge", certified("3", "3", "1e-3", Section::wedge)),
+        base("wedge-range", certified("3", "7", "1e-3", Section::wedge)),
+        base("hybrid-range", certified("5", "11", "1e-3", Section::hybrid)),
         base("falling",
              subdivided(box({{{"-1", "1"}, {"1/100", "1/100"}, {"3/2", "3/2"}, {"-1", "-1"}, {"10", "10"}}}),
                         16)),
@@ -179,10 +170,10 @@ std::vector<Base> bases(bool large) {
                  box({{{"0", "3"}, {"-1/2", "1/2"}, {"3/2", "3/2"}, {"-1", "-1"}, {"1", "3/2"}}}), 8))),
         base("incoming", all_incoming(10, 96))};
     if (large) {
-        all.push_back(base("full-large", certified("10", "10", "1e-3", Scene::dumbbell, Section::full)));
+        all.push_back(base("full-large", certified("10", "10", "1e-3", Section::full)));
         all.push_back(base("body", bodies("1/2", "5/2", "5/2", 6, 3), 6));
         all.push_back(base("staircase", certified("1", "50")));
-        all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Scene::wedge)));
+        all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Section::wedge)));
     }
     for (Base& adiabatic : adiabatic_bases()) all.push_back(std::move(adiabatic));
     return all;

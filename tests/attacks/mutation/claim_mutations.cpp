@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "collisions/leaf.hpp"
-#include "collisions/scene.hpp"
+#include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "mutations.hpp"
 #include "starts/writer.hpp"
@@ -27,9 +27,10 @@ void best_tree(Chart chart, const Box& box, const Count& upper, int depth, Tree&
         tree.push_back({std::nullopt, *leaf});
         return;
     }
-    const bool position = chart != Chart::wedge && width(box.e_lo, box.e_hi) * approximate(box.q_hi) >=
-                                                       width(box.slope_lo, box.slope_hi);
-    const bool ratio = width(box.q_lo, box.q_hi) * 8 > approximate(box.q_lo);
+    const bool position = chart != Chart::wedge && width(box[Axis::position].lo, box[Axis::position].hi) *
+                                                           approximate(box[Axis::ratio].hi) >=
+                                                       width(box[Axis::slope].lo, box[Axis::slope].hi);
+    const bool ratio = width(box[Axis::ratio].lo, box[Axis::ratio].hi) * 8 > approximate(box[Axis::ratio].lo);
     const Axis axis = ratio ? Axis::ratio : position ? Axis::position : Axis::slope;
     const auto [low, high] = halves(box, axis);
     tree.push_back({axis, {}});
@@ -49,14 +50,11 @@ class Claims {
             if (i + 1 < data_.pieces.size()) merge(i);
         }
         ranges();
-        for (const Scene scene : {Scene::dumbbell, Scene::hybrid, Scene::wedge, Scene::body})
-            for (const Section section : {Section::turning, Section::full, Section::plain}) {
-                Certificate changed = data_;
-                changed.scene = scene;
-                changed.section = section;
-                give("section", fmt::format("{} {}", static_cast<int>(scene), static_cast<int>(section)),
-                     changed);
-            }
+        for (int i = 0; i <= static_cast<int>(Section::wedge); ++i) {
+            Certificate changed = data_;
+            changed.system.section = static_cast<Section>(i);
+            give("section", fmt::format("{}", i), changed);
+        }
     }
 
   private:
@@ -112,7 +110,7 @@ class Claims {
                     --*p.upper;
                     without_lower(p);
                     p.cover = {};
-                    for (const Chart chart : row_of(data_.scene).charts(data_.section)) {
+                    for (const Chart chart : row_of(data_.system.section).charts) {
                         p.cover.charts.push_back({chart, {}});
                         best_tree(chart, root_box(chart, p.q_lo, p.q_hi), *p.upper, depth,
                                   p.cover.charts.back().tree);

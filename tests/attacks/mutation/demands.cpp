@@ -4,7 +4,7 @@
 #include <set>
 
 #include "adiabatic/writer.hpp"
-#include "collisions/names.hpp"
+#include "collisions/section.hpp"
 
 namespace dumbbell_mutation {
 namespace {
@@ -77,6 +77,7 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
         demand.settings.demand.rhos = std::pair(exact(lo), exact(hi));
         demand.what += " --rho " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
     };
+    const std::string own_scene(row_of(data.system.section).scene);
     std::vector<Demand> demands;
     for (const Rational& lo : ends)
         for (const Rational& hi : ends)
@@ -84,26 +85,24 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
                 if (lo > hi) continue;
                 const std::string range =
                     "--ratio " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
-                if (const auto& heights = data.heights) {
+                if (const auto& rho = data.system.rho) {
                     const bool proved = proves(data.pieces, lo, hi, bounds);
                     for (const bool wider : {false, true}) {
                         demands.push_back({settings_of(lo, hi, bounds, "body"),
                                            "--inertia " + dumbbell::to_fraction(lo) + ":" +
                                                dumbbell::to_fraction(hi) + bounds.text(),
                                            proved && !wider});
-                        rhos(demands.back(), wider ? heights->lo * Rational(9, 10) : heights->lo,
-                             heights->hi);
+                        rhos(demands.back(), wider ? rho->lo * Rational(9, 10) : rho->lo, rho->hi);
                     }
                 }
                 for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
                     demands.push_back({settings_of(lo, hi, bounds, scene),
                                        range + bounds.text() + " --scene " + scene,
-                                       scene == name(data.scene) && proves(data.pieces, lo, hi, bounds)});
-                if (data.heights) continue;  // with --claim initial-conditions --inertia is wrong usage
-                demands.push_back({settings_of(lo, hi, bounds, std::string(name(data.scene))),
-                                   range + bounds.text() + " --scene " + std::string(name(data.scene)) +
-                                       " --claim initial-conditions",
-                                   false});
+                                       scene == own_scene && proves(data.pieces, lo, hi, bounds)});
+                if (data.system.rho) continue;  // with --claim initial-conditions --inertia is wrong usage
+                demands.push_back(
+                    {settings_of(lo, hi, bounds, own_scene),
+                     range + bounds.text() + " --scene " + own_scene + " --claim initial-conditions", false});
                 demands.back().settings.claim = "initial-conditions";
             }
     return demands;

@@ -19,11 +19,7 @@ namespace {
 
 /// Proves it; gives the number of pieces.
 std::size_t pieces(const Rational& q_lo, const Rational& q_hi, Section section = Section::turning) {
-    CertifyRequest request;
-    request.q_lo = q_lo;
-    request.q_hi = q_hi;
-    request.section = section;
-    return certify(request).size();
+    return certify({.claim = {.range = {q_lo, q_hi}, .system = {section}}}).size();
 }
 
 /// The sum of the bounds on the counts of 8192 rays, flat to steep, at the ratio 1000.

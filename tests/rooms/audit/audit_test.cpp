@@ -21,7 +21,7 @@ Piece piece_of(const Rational& lo, const Rational& hi, std::vector<ChartTree> ch
 
 Certificate example() {
     return certificate_of(
-        {piece_of(2, 3, {{Chart::bridge, random_tree(20, all_axes, 1)}, {Chart::light, {leaf()}}}),
+        {piece_of(2, 3, {{Chart::bridge, random_tree(20, axes_but_rho, 1)}, {Chart::light, {leaf()}}}),
          piece_of(3, 3, {{Chart::bridge, {leaf()}}, {Chart::light, random_tree(9, plane_axes, 2)}})});
 }
 
@@ -38,19 +38,14 @@ bool only_fault(const Audit& result, const std::string& words) {
 }  // namespace
 
 TEST_CASE("certificates of the prover tile") {
-    for (const auto& [scene, section] :
-         {std::pair{Scene::dumbbell, Section::turning}, std::pair{Scene::dumbbell, Section::full},
-          std::pair{Scene::dumbbell, Section::plain}, std::pair{Scene::wedge, Section::turning},
-          std::pair{Scene::hybrid, Section::turning}}) {
+    for (const Section section :
+         {Section::turning, Section::full, Section::plain, Section::wedge, Section::hybrid}) {
         CertifyRequest request;
-        request.q_lo = section == Section::plain ? 10 : 2;
-        request.q_hi = section == Section::plain ? 10 : 3;
-        request.gap = Rational(1, 1000);
-        request.scene = scene;
-        request.section = section;
+        request.claim.range = section == Section::plain ? Range{10, 10} : Range{2, 3};
+        request.claim.gap = Rational(1, 1000);
+        request.claim.system.section = section;
         Certificate certificate;
-        certificate.scene = scene;
-        certificate.section = section;
+        certificate.system.section = section;
         for (const ProvedPiece& proved : certify(request)) {
             certificate.pieces.push_back(proved.piece);
         }
@@ -67,13 +62,12 @@ TEST_CASE("halves of rho of a body tile, and a half that is missing is named") {
         certificate_of({piece_of(3, 4,
                                  {{Chart::plain_contact, random_tree(50, body_axes, 3)},
                                   {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}})});
-    certificate.scene = Scene::body;
-    certificate.section = Section::plain;
-    certificate.heights = Heights{Rational(1, 2), Rational(3, 4)};
+    certificate.system.section = Section::body;
+    certificate.system.rho = Range{Rational(1, 2), Rational(3, 4)};
     CHECK(audit_of(certificate).tiles());
     certificate.pieces[0].cover.charts[1].tree.pop_back();
     CHECK(only_fault(audit_of(certificate), "piece 1, chart departure: area 1/2 of the root's 1/1"));
-    certificate.heights = Heights{Rational(1, 2), Rational(1, 2)};
+    certificate.system.rho = Range{Rational(1, 2), Rational(1, 2)};
     certificate.pieces[0].cover.charts = {{Chart::plain_contact, {leaf()}},
                                           {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}};
     CHECK(only_fault(audit_of(certificate), "q 3/1..4/1, rho 1/2..1/2) and leaf 2 ("));
@@ -121,7 +115,7 @@ TEST_CASE("a chart that lacks, or is not the section's") {
     certificate.pieces[0].cover.charts.pop_back();
     CHECK(only_fault(audit_of(certificate), "piece 1: its cover lacks a chart"));
     certificate = example();
-    certificate.section = Section::full;
+    certificate.system.section = Section::full;
     CHECK(audit_of(certificate).faults.size() == 2);
 }
 

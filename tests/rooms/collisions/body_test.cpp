@@ -5,6 +5,7 @@
 #include "collisions/certify.hpp"
 #include "collisions/writer.hpp"
 #include "reference.hpp"
+#include "temporary_folder.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -13,13 +14,7 @@ using namespace dumbbell_test;
 namespace {
 
 CertifyRequest of_body(const Rational& rho, const Rational& q_lo, const Rational& q_hi) {
-    CertifyRequest request;
-    request.q_lo = q_lo;
-    request.q_hi = q_hi;
-    request.scene = Scene::body;
-    request.section = Section::plain;
-    request.heights = Heights{rho, rho};
-    return request;
+    return {.claim = {.range = {q_lo, q_hi}, .system = {Section::body, Range{rho, rho}}}};
 }
 
 Piece proved(const Rational& rho, const Rational& q) {
@@ -30,11 +25,8 @@ Piece proved(const Rational& rho, const Rational& q) {
 
 long maximum(const Piece& piece) { return piece.status() == Status::exact ? as_long(piece.lower) : 0; }
 
-// The body's numbers with a rod of mu times the mass of both ends, 1 and q (L70 (d)).
 long with_rod(const Rational& q, const Rational& mu) {
-    const Rational d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
-    const Rational rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
-    return maximum(proved(rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))));
+    return maximum(certify({.claim = claim_of(Rod{q, mu})}).front().piece);
 }
 
 }  // namespace
@@ -44,17 +36,14 @@ TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by a lemma"
         const Piece piece = proved(1, q);
         CHECK(maximum(piece) == n);
         CHECK(piece.cover.symmetric);
-        CHECK(piece.witness->chart == Chart::corner);
+        CHECK(piece.witness->place == Place::corner);
     }
 }
 
 TEST_CASE("The certificate of the coin says which body it is about") {
     auto request = of_body(1, 4, 4);
     const auto pieces = certify(request);
-    Certificate certificate{.pieces = {pieces.front().piece},
-                            .scene = Scene::body,
-                            .section = Section::plain,
-                            .heights = request.heights};
+    Certificate certificate{.pieces = {pieces.front().piece}, .system = request.claim.system};
     const std::string text = render(certificate).text;
     for (const char* line :
          {"lemmas body\nscene body\nsection full\n", "\nratio 4/1 4/1\nrho 1/1 1/1\npieces 1\n",
@@ -77,7 +66,7 @@ TEST_CASE("On the edge, without mass between the contacts, bodies have what dumb
     for (int i = 0; i < 100; ++i) {
         const Rational q = exact(choices.log_uniform(1.01, 20));
         CertifyRequest dumbbell;
-        dumbbell.q_lo = dumbbell.q_hi = q;
+        dumbbell.claim.range = {q, q};
         const Piece expected = certify(dumbbell).front().piece;
         const Piece piece = proved(1 / q, q);
         CAPTURE(q);
@@ -97,7 +86,7 @@ TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
 
 TEST_CASE("A rectangle of bodies is one piece, halved along rho, too") {
     auto request = of_body(Rational(1, 2), Rational(5, 2), Rational(13, 5));
-    request.heights->hi = Rational(501, 1000);
+    request.claim.system.rho->hi = Rational(501, 1000);
     const auto pieces = certify(request);
     REQUIRE(pieces.size() == 1);
     CHECK(maximum(pieces.front().piece) == 3);
@@ -108,11 +97,28 @@ TEST_CASE("A rectangle of bodies is one piece, halved along rho, too") {
     }
 }
 
+TEST_CASE("A range of bodies goes on with what an earlier run has kept, on any number of threads") {
+    const dumbbell_test::TemporaryFolder folder;
+    auto request = of_body(Rational(1, 2), Rational(12, 5), Rational(13, 5));
+    CHECK(certify(request).size() == 1);
+    const PieceStore store(folder / "pieces", request.claim);
+    const Piece half = certify(of_body(Rational(1, 2), Rational(12, 5), Rational(5, 2))).front().piece;
+    store.keep(half);
+    request.store = &store;
+    for (request.jobs = 1; request.jobs < 3; ++request.jobs) {
+        const auto pieces = certify(request);
+        REQUIRE(pieces.size() == 2);  // the whole seems to have failed
+        CHECK(pieces.front().piece.cover.leaves() == half.cover.leaves());
+        CHECK((maximum(pieces.front().piece) == 3 && maximum(pieces.back().piece) == 3));
+        CHECK(store.kept().size() == 2);
+    }
+}
+
 TEST_CASE("Ranges of other bodies are halved until each part has one value or is narrow") {
     auto request = of_body(Rational(1, 2), Rational(5, 2), 3);
-    request.gap = Rational(1, 100);
+    request.claim.gap = Rational(1, 100);
     const auto pieces = certify(request);
-    CHECK(pieces.front().piece.q_lo == request.q_lo);
-    CHECK(pieces.back().piece.q_hi == request.q_hi);
+    CHECK(pieces.front().piece.q_lo == request.claim.range.lo);
+    CHECK(pieces.back().piece.q_hi == request.claim.range.hi);
     CHECK(undecided_share(pieces) < Rational(1, 4));
 }

@@ -14,8 +14,8 @@ namespace {
 
 std::vector<ProvedPiece> certified(const Rational& lo, const Rational& hi, int jobs = 2) {
     CertifyRequest request;
-    request.q_lo = lo;
-    request.q_hi = hi;
+    request.claim.range.lo = lo;
+    request.claim.range.hi = hi;
     request.jobs = jobs;
     return certify(request);
 }
@@ -113,8 +113,8 @@ TEST_CASE("ranges that begin, end or lie inside a neighbourhood of a critical ra
 
 TEST_CASE("without any time every piece is left open, and the pieces still tile the range") {
     CertifyRequest request;
-    request.q_lo = 1;
-    request.q_hi = 30;
+    request.claim.range.lo = 1;
+    request.claim.range.hi = 30;
     request.budget = std::chrono::duration<double>(0);
     const auto pieces = certify(request);
     CHECK(pieces.front().piece.q_lo == 1);
@@ -125,15 +125,15 @@ TEST_CASE("without any time every piece is left open, and the pieces still tile 
         CHECK((i == 0 || pieces[i].piece.q_lo == pieces[i - 1].piece.q_hi));
     }
     CHECK(undecided_share(pieces) == 1);
-    request.q_lo = request.q_hi = 10;
+    request.claim.range = {10, 10};
     CHECK(certify(request).front().piece.status() == Status::open);
     CHECK(undecided_share(certify(request)) == 1);
 }
 
 TEST_CASE("a generous budget changes nothing") {
     CertifyRequest request;
-    request.q_lo = 1;
-    request.q_hi = 30;
+    request.claim.range.lo = 1;
+    request.claim.range.hi = 30;
     request.budget = std::chrono::hours(1);
     CHECK(spelled(certify(request)) == spelled(certified(1, 30)));
 }
@@ -181,8 +181,8 @@ TEST_CASE("progress is reported once per piece and ends complete") {
         std::atomic<bool> proving = false;
     } told;
     CertifyRequest request;
-    request.q_lo = 1;
-    request.q_hi = 100;
+    request.claim.range.lo = 1;
+    request.claim.range.hi = 100;
     request.jobs = 2;
     request.observer = &told;
     const auto pieces = certify(request);
@@ -207,10 +207,10 @@ TEST_CASE("the wedges are decided however near a tie is, on both sides") {
     // At q = 3 pi/gamma is 3.
     for (const char* distance : {"1e-59", "1e-62", "1e-100", "1e-999"}) {
         CertifyRequest request;
-        request.scene = Scene::wedge;
+        request.claim.system.section = Section::wedge;
         for (const auto& [q, n] : {std::pair(3 - at(distance), 3), std::pair(3 + at(distance), 4)}) {
             CAPTURE(distance, n);
-            request.q_lo = request.q_hi = q;
+            request.claim.range = {q, q};
             const auto pieces = certify(request);
             REQUIRE(pieces.size() == 1);
             CHECK(pieces.front().piece.upper == n);

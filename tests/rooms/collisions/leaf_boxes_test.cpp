@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "collisions/section.hpp"
+#include "collisions/chart.hpp"
 #include "random_tree.hpp"
 
 using namespace dumbbell_test;
@@ -23,24 +23,20 @@ void prover_boxes(const Tree& tree, std::size_t& next, const Box& box, std::vect
 }
 
 void check_same(const Boxes& boxes, const BoxEnds& ends, const Box& box) {
-    CHECK(boxes.lo(ends, 0) == Rational(box.e_lo));
-    CHECK(boxes.hi(ends, 0) == Rational(box.e_hi));
-    CHECK(boxes.lo(ends, 1) == Rational(box.slope_lo));
-    CHECK(boxes.hi(ends, 1) == Rational(box.slope_hi));
-    CHECK(boxes.lo(ends, 2) == Rational(box.q_lo));
-    CHECK(boxes.hi(ends, 2) == Rational(box.q_hi));
-    CHECK(boxes.lo(ends, 3) == Rational(box.rho_lo));
-    CHECK(boxes.hi(ends, 3) == Rational(box.rho_hi));
+    for (const Axis axis : all_axes) {
+        const auto number = static_cast<std::size_t>(axis);
+        CHECK(boxes.lo(ends, number) == Rational(box[axis].lo));
+        CHECK(boxes.hi(ends, number) == Rational(box[axis].hi));
+    }
 }
 
 /// Are the leaf boxes of a random tree the prover's?
-void check_leaves(Chart chart, const std::vector<Axis>& axes, const std::optional<Heights>& heights) {
+void check_leaves(Chart chart, const std::vector<Axis>& axes, const std::optional<Range>& rho = {}) {
     const Tree tree = random_tree(60, axes, 5);
-    const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree, heights);
+    const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree, {Section::body, rho});
     Box root = root_box(chart, Rational(10, 3), Rational(31, 7));
-    if (heights) {
-        root.rho_lo = heights->lo;
-        root.rho_hi = heights->hi;
+    if (rho) {
+        root[Axis::rho] = {rho->lo, rho->hi};
     }
     std::vector<Box> expected;
     std::size_t next = 0;
@@ -69,10 +65,10 @@ TEST_CASE("the root boxes are the prover's") {
 
 TEST_CASE("the leaf boxes are the prover's") {
     for (const Chart chart : root_charts) {
-        check_leaves(chart, chart == Chart::wedge ? wedge_axes : all_axes, {});
+        check_leaves(chart, chart == Chart::wedge ? wedge_axes : axes_but_rho);
     }
     for (const Chart chart : {Chart::plain_contact, Chart::plain_departure}) {
-        check_leaves(chart, body_axes, Heights{Rational(3, 10), Rational(5, 7)});
+        check_leaves(chart, body_axes, Range{Rational(3, 10), Rational(5, 7)});
     }
 }
 

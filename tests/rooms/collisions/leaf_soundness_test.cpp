@@ -19,8 +19,9 @@ struct State {
 };
 
 State sample(Choices& choices, const Box& box) {
-    return {choices.between(box.e_lo, box.e_hi), choices.between(box.slope_lo, box.slope_hi),
-            choices.between(box.q_lo, box.q_hi)};
+    return {choices.between(box[Axis::position].lo, box[Axis::position].hi),
+            choices.between(box[Axis::slope].lo, box[Axis::slope].hi),
+            choices.between(box[Axis::ratio].lo, box[Axis::ratio].hi)};
 }
 
 // Somewhere in [0, 2] x [0, 2q], over all scales, at times beginning at 0; half of them at a single ratio.
@@ -33,7 +34,7 @@ Box random_box(Choices& choices) {
     const double q_hi = choices.coin() ? q : q * (1 + choices.log_uniform(1e-6, 0.5));
     const auto [e_lo, e_hi] = side(1);
     const auto [slope_lo, slope_hi] = side(choices.coin() ? 1 : q);
-    return {e_lo, e_hi, slope_lo, slope_hi, exact(q), exact(q_hi)};
+    return {{{{e_lo, e_hi}, {slope_lo, slope_hi}, {exact(q), exact(q_hi)}, {}}}};
 }
 
 // Whether a ray that leaves R at corner distance e with slope r lambda passes below the bridge's hump
@@ -114,7 +115,7 @@ std::map<Reason, int> soundness(std::uint64_t seed, Chart chart, int boxes) {
     std::map<Reason, int> closed;
     for (int i = 0; i < boxes; ++i) {
         const Box box = random_box(choices);
-        const double q = approximate(box.q_hi);
+        const double q = approximate(box[Axis::ratio].hi);
         const long upper = 1 + static_cast<long>(choices.uniform(0, 3 + std::sqrt(q)));
         if (const auto leaf = judge<I>(chart, box, upper)) {
             ++closed[leaf->reason];
@@ -166,7 +167,8 @@ TEST_CASE("near the corner, the peak and the tangents every closed box holds too
             if (const auto leaf = judge<Interval>(chart, box, upper)) {
                 counted += leaf->reason == Reason::count ? 1 : 0;
                 check(chart, *leaf, sample(choices, box), upper);
-                check(chart, *leaf, {box.e_lo, box.slope_lo, box.q_lo}, upper);
+                check(chart, *leaf, {box[Axis::position].lo, box[Axis::slope].lo, box[Axis::ratio].lo},
+                      upper);
             }
         }
     }

@@ -22,17 +22,17 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A place for a folder of pieces, removed at the end.
-struct Place {
+struct Folder {
     fs::path path = fs::temp_directory_path() / ("dumbbell-store-" + std::to_string(::getpid()));
-    Place() { fs::remove_all(path); }
-    ~Place() { fs::remove_all(path); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
+    Folder() { fs::remove_all(path); }
+    ~Folder() { fs::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
 };
 
-StoredClaim claim(long hi) { return {Scene::dumbbell, Section::turning, 1, hi, Rational(1, 1000)}; }
+Claim claim(long hi) { return {.range = {1, hi}, .gap = Rational(1, 1000)}; }
 
-fs::path only_piece(const Place& place) {
+fs::path only_piece(const Folder& place) {
     for (const auto& entry : fs::directory_iterator(place.path)) {
         if (entry.path().extension() == ".dbc") {
             return entry.path();
@@ -44,7 +44,7 @@ fs::path only_piece(const Place& place) {
 }  // namespace
 
 TEST_CASE("a kept piece is found again, by a later run too, and by its own bounds only") {
-    const Place place;
+    const Folder place;
     const Piece piece = dumbbell_test::piece(5, 11, 4, 4);
     {
         const PieceStore store(place.path.string(), claim(100));
@@ -63,7 +63,7 @@ TEST_CASE("a kept piece is found again, by a later run too, and by its own bound
 }
 
 TEST_CASE("what cannot be read is not called in use, damaged or another run's") {
-    const Place place;
+    const Folder place;
     { PieceStore(place.path.string(), claim(100)).keep(dumbbell_test::piece(5, 11, 4, 4)); }
     const auto without = [&](const fs::path& hidden, const auto& open) {
         const fs::perms before = fs::status(hidden).permissions();
@@ -81,7 +81,7 @@ TEST_CASE("what cannot be read is not called in use, damaged or another run's") 
 }
 
 TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
-    const Place place;
+    const Folder place;
     const PieceStore store(place.path.string(), claim(100));
     store.keep(dumbbell_test::piece(5, 11, 4, 4));
     const fs::path file = only_piece(place);
@@ -107,7 +107,7 @@ TEST_CASE("a piece whose file is not whole, or is another's, is not found") {
 }
 
 TEST_CASE("pieces under each other's names are not found") {
-    const Place place;
+    const Folder place;
     const PieceStore store(place.path.string(), claim(100));
     store.keep(dumbbell_test::piece(5, 11, 4, 4));
     const fs::path first = only_piece(place);
@@ -131,7 +131,7 @@ TEST_CASE("pieces under each other's names are not found") {
 }
 
 TEST_CASE("what a reader would wait for is in the way of a piece") {
-    const Place place;
+    const Folder place;
     const PieceStore store(place.path.string(), claim(100));
     store.keep(dumbbell_test::piece(5, 11, 4, 4));
     const fs::path file = only_piece(place);
@@ -141,15 +141,15 @@ TEST_CASE("what a reader would wait for is in the way of a piece") {
 }
 
 TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
-    const Place place;
+    const Folder place;
     const std::string claim_file = (place.path / "claim").string();
     { PieceStore(place.path.string(), claim(100)).keep(dumbbell_test::piece(5, 11, 4, 4)); }
     const std::string truth = file_contents(claim_file);
     for (const std::string& damage : {truth.substr(0, 20), std::string(), "x" + truth, truth + "more"}) {
         std::ofstream(claim_file) << damage;
-        StoredClaim section = claim(100);
-        section.section = Section::full;
-        for (const StoredClaim& other : {claim(101), section}) {
+        Claim section = claim(100);
+        section.system.section = Section::full;
+        for (const Claim& other : {claim(101), section}) {
             CHECK_THROWS_WITH(PieceStore(place.path.string(), other), Contains("another run"));
             CHECK(file_contents(claim_file) == damage);
         }
@@ -185,7 +185,7 @@ TEST_CASE("a damaged claim costs no piece, and takes none from another run") {
 }
 
 TEST_CASE("a run that was killed while it made or removed its folder left nothing that is in the way") {
-    const Place place;
+    const Folder place;
     fs::create_directory(place.path);
     { const PieceStore store(place.path.string(), claim(100)); }
     CHECK_FALSE(fs::exists(place.path));
@@ -203,7 +203,7 @@ TEST_CASE("a run that was killed while it made or removed its folder left nothin
 }
 
 TEST_CASE("a folder of another claim, or in use, is refused, and an unused one disappears") {
-    const Place place;
+    const Folder place;
     {
         const PieceStore store(place.path.string(), claim(100));
         CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("in use by another run"));
@@ -217,7 +217,7 @@ TEST_CASE("a folder of another claim, or in use, is refused, and an unused one d
 }
 
 TEST_CASE("the beginning is what tiles the claim from its lower end, as far as behind a gap") {
-    const Place place;
+    const Folder place;
     const PieceStore store(place.path.string(), claim(100));
     CHECK(store.beginning().empty());
     for (const auto& [lo, hi, upper, lower] :
@@ -234,10 +234,9 @@ TEST_CASE("the beginning is what tiles the claim from its lower end, as far as b
 }
 
 TEST_CASE("a run that had no time for the rest has the kept beginning, and one that has ends as in one go") {
-    const Place place;
+    const Folder place;
     CertifyRequest request;
-    request.q_lo = 1;
-    request.q_hi = 100;
+    request.claim.range = {1, 100};
     const auto bounds = [&] {
         std::vector<PlannedPiece> all;
         for (const ProvedPiece& proved : certify(request)) {
@@ -247,7 +246,7 @@ TEST_CASE("a run that had no time for the rest has the kept beginning, and one t
         return all;
     };
     const auto one_go = bounds();
-    const PieceStore store(place.path.string(), {Scene::dumbbell, Section::turning, 1, 100, request.gap});
+    const PieceStore store(place.path.string(), request.claim);
     request.store = &store;
     CHECK(bounds() == one_go);
     REQUIRE(store.beginning().size() == one_go.size());

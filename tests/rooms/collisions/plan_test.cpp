@@ -13,7 +13,7 @@ namespace {
 std::vector<PlannedPiece> whole_plan(const Rational& lo, const Rational& hi, const Rational& gap) {
     std::vector<PlannedPiece> whole;
     for (Rational from = lo; from < hi; from = whole.back().q_hi) {
-        const auto part = plan_staircase(Scene::dumbbell, from, hi, gap).pieces;
+        const auto part = plan_staircase({.range = {lo, hi}, .gap = gap}, from).pieces;
         REQUIRE_FALSE(part.empty());
         whole.insert(whole.end(), part.begin(), part.end());
     }
@@ -79,8 +79,8 @@ TEST_CASE("pieces tile the range exactly, are true, and gaps keep the contract's
 }
 
 TEST_CASE("between two steps there is one piece, across one step three") {
-    CHECK(plan_staircase(Scene::dumbbell, 5, 11, at("1e-6")).pieces.size() == 1);
-    const auto plan = plan_staircase(Scene::dumbbell, 11, 12, at("1e-6")).pieces;
+    CHECK(plan_staircase({.range = {5, 11}}, 5).pieces.size() == 1);
+    const auto plan = plan_staircase({.range = {11, 12}}, 11).pieces;
     REQUIRE(plan.size() == 3);
     CHECK(plan[1].q_lo < critical_ratio(5));
     CHECK(plan[1].q_hi > critical_ratio(5));
@@ -91,7 +91,7 @@ TEST_CASE("between two steps there is one piece, across one step three") {
 }
 
 TEST_CASE("a range from 1 begins with the single ratio 1 and a gap to its right") {
-    const auto plan = plan_staircase(Scene::dumbbell, 1, 2, at("1e-6")).pieces;
+    const auto plan = plan_staircase({.range = {1, 2}}, 1).pieces;
     REQUIRE(plan.size() == 3);
     CHECK(plan[0].q_lo == 1);
     CHECK(plan[0].q_hi == 1);
@@ -123,14 +123,14 @@ TEST_CASE("ranges that begin, end or lie entirely inside a neighbourhood of a cr
 TEST_CASE("inside a gap of its own the whole range is the gap") {
     const Rational c = critical_ratio(4);
     const auto plan =
-        plan_staircase(Scene::dumbbell, c * (1 - at("1e-9")), c * (1 + at("1e-9")), at("1e-6")).pieces;
+        plan_staircase({.range = {c * (1 - at("1e-9")), c * (1 + at("1e-9"))}}, c * (1 - at("1e-9"))).pieces;
     REQUIRE(plan.size() == 1);
     CHECK(plan[0].upper == 4);
     CHECK(plan[0].lower == 3);
 }
 
 TEST_CASE("the ends of gaps are short decimals") {
-    for (const PlannedPiece& p : plan_staircase(Scene::dumbbell, 2, 100, at("1e-6")).pieces) {
+    for (const PlannedPiece& p : plan_staircase({.range = {2, 100}}, 2).pieces) {
         if (p.upper != p.lower) {
             CHECK(to_fraction(p.q_lo).size() < 30);
             CHECK(to_fraction(p.q_hi).size() < 30);
@@ -139,22 +139,24 @@ TEST_CASE("the ends of gaps are short decimals") {
 }
 
 TEST_CASE("a range with more than a million steps is refused with advice") {
-    CHECK_THROWS_AS(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")), InputError);
-    CHECK_THROWS_WITH(plan_staircase(Scene::dumbbell, 2, at("1.5e12"), at("1e-6")), Contains("in parts"));
+    CHECK_THROWS_AS(plan_staircase({.range = {2, at("1.5e12")}}, 2), InputError);
+    CHECK_THROWS_WITH(plan_staircase({.range = {2, at("1.5e12")}}, 2), Contains("in parts"));
 }
 
 TEST_CASE("a step that is known exactly, at the left end of the range, is taken there") {
-    const auto plan =
-        plan_staircase(Scene::wedge, 3, 10, Rational(1, 1000)).pieces;  // ceil(pi/gamma) is 3 at q = 3
+    const auto plan = plan_staircase({.range = {3, 10}, .system = {Section::wedge}, .gap = {1, 1000}}, 3)
+                          .pieces;  // ceil(pi/gamma) is 3 at q = 3
     REQUIRE(plan.size() > 2);
     CHECK((plan[0].q_lo == 3 && plan[0].q_hi == 3 && plan[0].lower == 3 && plan[0].upper == 3));
     CHECK((plan[1].q_lo == 3 && plan[1].q_hi > 3 && plan[1].lower == 3 && plan[1].upper == 4));
-    CHECK(plan_staircase(Scene::wedge, 2, 3, Rational(1, 1000)).pieces.back().upper == 3);
+    CHECK(plan_staircase({.range = {2, 3}, .system = {Section::wedge}, .gap = {1, 1000}}, 2)
+              .pieces.back()
+              .upper == 3);
 }
 
 TEST_CASE("a long range is planned part by part, and from behind any gap as in one go") {
     const Rational hi = at("1e5"), gap = at("1e-6");
-    const Plan first = plan_staircase(Scene::dumbbell, 1, hi, gap);
+    const Plan first = plan_staircase({.range = {1, hi}, .gap = gap}, 1);
     CHECK(first.pieces.back().upper == first.pieces.back().lower + 1);
     CHECK(first.pieces.back().q_hi < hi);
     CHECK(first.steps_beyond > 0);
@@ -163,7 +165,7 @@ TEST_CASE("a long range is planned part by part, and from behind any gap as in o
     for (std::size_t i = 1; i < whole.size(); i += 2) {  // the pieces with odd numbers are gaps
         CAPTURE(i);
         REQUIRE(whole[i].upper == whole[i].lower + 1);
-        const auto rest = plan_staircase(Scene::dumbbell, whole[i].q_hi, hi, gap).pieces;
+        const auto rest = plan_staircase({.range = {1, hi}, .gap = gap}, whole[i].q_hi).pieces;
         REQUIRE(rest.size() <= whole.size() - i - 1);
         CHECK(std::equal(rest.begin(), rest.end(), whole.begin() + static_cast<std::ptrdiff_t>(i) + 1));
     }

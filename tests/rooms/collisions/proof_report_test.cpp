@@ -116,9 +116,9 @@ TEST_CASE("ratios are printed exactly, so that no two of them look alike") {
 }
 
 TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
-    for (const Scene scene : {Scene::wedge, Scene::hybrid}) {
+    for (const Section section : {Section::wedge, Section::hybrid}) {
         SampleReport wedge(three_pieces());
-        wedge.report.scene = scene;
+        wedge.report.claim.system.section = section;
         const std::string text = to_text(wedge.report);
         CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "boxes", "time"});
         CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "2", "0.500", "s"});
@@ -128,7 +128,7 @@ TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
             CHECK(entry.at("paper_bound").is_null());
         }
         SampleReport single({piece(4, 4, 4, 4)});
-        single.report.scene = scene;
+        single.report.claim.system.section = section;
         CHECK_THAT(to_text(single.report), Contains("wedge hits its walls more than 4 times, and some "
                                                     "trajectory hits them 4 times."));
     }
@@ -137,13 +137,13 @@ TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
 TEST_CASE("a proof of the full section says that the heavy mass hits the floor at most once") {
     SampleReport full({piece(5, 11, 4, 4)});
     CHECK_THAT(to_text(full.report), !Contains("heavy mass"));
-    full.report.section = Section::full;
+    full.report.claim.system.section = Section::full;
     CHECK_THAT(to_text(full.report), Contains("the heavy mass hits the floor at most once"));
     CHECK(parsed(to_json(full.report))["heavy_at_most_once"] == true);
-    full.report.section = Section::turning;
+    full.report.claim.system.section = Section::turning;
     CHECK(parsed(to_json(full.report))["heavy_at_most_once"].is_null());
     SampleReport open({piece(5, 11, 4, 4), open_piece(11, 12)});
-    open.report.section = Section::full;
+    open.report.claim.system.section = Section::full;
     CHECK(parsed(to_json(open.report))["heavy_at_most_once"].is_null());
 }
 

@@ -11,9 +11,7 @@ struct SampleReport {
     dumbbell::collisions::ProofReport report{};
 
     explicit SampleReport(std::vector<dumbbell::collisions::Piece> of) : pieces(std::move(of)) {
-        report.q_lo = pieces.front().q_lo;
-        report.q_hi = pieces.back().q_hi;
-        report.gap = Rational(1, 1'000'000);
+        report.claim.range = {pieces.front().q_lo, pieces.back().q_hi};
         report.jobs = 2;
         report.seconds = 1.25;
         report.undecided = Rational(1, 4);

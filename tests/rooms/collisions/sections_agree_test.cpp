@@ -16,8 +16,8 @@ namespace {
 // The maximum that a section proves at one ratio; 0 if it leaves it open.
 long proved(const Rational& q, Section section) {
     CertifyRequest request;
-    request.q_lo = request.q_hi = q;
-    request.section = section;
+    request.claim.range = {q, q};
+    request.claim.system.section = section;
     const auto pieces = certify(request);
     REQUIRE(pieces.size() == 1);
     return pieces.front().piece.status() == Status::exact ? as_long(pieces.front().piece.lower) : 0;

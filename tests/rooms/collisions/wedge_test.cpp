@@ -23,14 +23,14 @@ long unfolded(const Rational& q) {
     return (tie ? whole : Real(ceil(turns))).convert_to<long>();
 }
 
-void check_scene(const Rational& q, Scene scene, long n) {
+void check_scene(const Rational& q, Section section, long n) {
     CertifyRequest request;
-    request.q_lo = request.q_hi = q;
-    request.scene = scene;
+    request.claim.range = {q, q};
+    request.claim.system.section = section;
     const auto pieces = certify(request);
     REQUIRE(pieces.size() == 1);
     const Piece& piece = pieces.front().piece;
-    CAPTURE(q, n, scene == Scene::hybrid);
+    CAPTURE(q, n, section == Section::hybrid);
     REQUIRE(piece.upper == n);
     REQUIRE(piece.lower == n);
     REQUIRE(piece.witness.has_value());
@@ -39,8 +39,8 @@ void check_scene(const Rational& q, Scene scene, long n) {
 
 void check_both(const Rational& q) {
     const long n = unfolded(q);
-    check_scene(q, Scene::wedge, n);
-    check_scene(q, Scene::hybrid, n);
+    check_scene(q, Section::wedge, n);
+    check_scene(q, Section::hybrid, n);
 }
 
 // Within 1e-75 (relative) of the ratio cot^2(pi/2m) at which pi / gamma = m.
@@ -82,11 +82,11 @@ TEST_CASE("the exact ties are decided, two collisions at equal masses and three 
 }
 
 TEST_CASE("over ranges of ratios the wedges have the unfolded number at both ends of every exact piece") {
-    for (const Scene scene : {Scene::wedge, Scene::hybrid}) {
+    for (const Section section : {Section::wedge, Section::hybrid}) {
         CertifyRequest request;
-        request.q_lo = 1;
-        request.q_hi = 100;
-        request.scene = scene;
+        request.claim.range.lo = 1;
+        request.claim.range.hi = 100;
+        request.claim.system.section = section;
         const auto pieces = certify(request);
         CHECK(undecided_share(pieces) < Rational(1, 10000));
         for (const ProvedPiece& proved : pieces) {

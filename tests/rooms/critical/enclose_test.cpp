@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "catch.hpp"
 #include "collisions/step_guess.hpp"
+#include "flight/macro/when.hpp"
 #include "number/decimal.hpp"
 #include "rooms/collisions/critical_ratio.hpp"
 
@@ -153,7 +154,7 @@ TEST_CASE("An interrupted enclosure is none, and what has no critical ratio is r
 }
 
 TEST_CASE("a long orbit's critical ratio is where the count recomputed in 80 digits steps up") {
-    const long n = first_long;
+    const long n = dumbbell::flight::macro::first_long;
     const Ratio ratio = enclosed(n, 30);
     CHECK(reference_maximum(ratio.q_lo * (1 - at("1e-33"))) == n - 1);
     CHECK(reference_maximum(ratio.q_hi * (1 + at("1e-33"))) == n);
@@ -191,7 +192,7 @@ TEST_CASE("enclosures of long orbits that miss the critical ratio, however narro
 TEST_CASE("interval Newton gives the same first long ratio") {
     // `critical 20001 --digits 50` as it was before macro steps.
     const Rational newton = at("509971821.52538596062558050292425816222055680272603");
-    const Ratio ratio = enclosed(first_long, 50);
+    const Ratio ratio = enclosed(dumbbell::flight::macro::first_long, 50);
     CHECK((newton <= ratio.q_lo && ratio.q_hi < newton + at("1e-41")));
 }
 

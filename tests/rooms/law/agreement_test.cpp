@@ -15,7 +15,7 @@ namespace {
 
 /// The maximum by cover and witness, which use no law.
 long proved(const Rational& q) {
-    const Piece piece = prove_single(q, piece_options(Scene::dumbbell, Section::turning)).piece;
+    const Piece piece = prove_single(q, piece_options({})).piece;
     REQUIRE(piece.upper);
     REQUIRE(*piece.upper == piece.lower);
     return as_long(piece.lower);

@@ -9,11 +9,11 @@ using namespace dumbbell::pictures;
 
 namespace {
 
-collisions::Certificate bodies(const collisions::Heights& heights, const Rational& q_lo, const Rational& q_hi,
+collisions::Certificate bodies(const collisions::Range& rho, const Rational& q_lo, const Rational& q_hi,
                                long lower, long upper) {
     collisions::Certificate certificate;
-    certificate.scene = collisions::Scene::body;
-    certificate.heights = heights;
+    certificate.system.section = collisions::Section::body;
+    certificate.system.rho = rho;
     collisions::Piece piece;
     piece.q_lo = q_lo;
     piece.q_hi = q_hi;

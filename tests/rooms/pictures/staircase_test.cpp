@@ -37,7 +37,7 @@ TEST_CASE("the picture is well-formed XML with its curves and a legend for each"
     for (const auto& pieces : {three_pieces(), four_pieces(),
                                std::vector{piece(1, 500'000, 3, 3), piece(500'000, 1'000'000, 887, 887)},
                                std::vector{piece(5, Rational(501, 100), 4, 4)}}) {
-        const std::string svg = staircase_svg(pieces, Scene::dumbbell);
+        const std::string svg = staircase_svg({.pieces = pieces});
         CAPTURE(pieces.size());
         CHECK(well_formed(svg));
         CHECK_THAT(path_of(svg, "proved"), Contains("H"));
@@ -50,9 +50,9 @@ TEST_CASE("the picture is well-formed XML with its curves and a legend for each"
 }
 
 TEST_CASE("the proved staircase goes up, never down, and never above the paper's bound") {
-    const std::string svg = staircase_svg(
-        {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 11, 4, 4), piece(11, 12, 5, 4), piece(12, 15, 5, 5)},
-        Scene::dumbbell);
+    const std::string svg =
+        staircase_svg({.pieces = {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 11, 4, 4),
+                                  piece(11, 12, 5, 4), piece(12, 15, 5, 5)}});
     const auto proved = heights(path_of(svg, "proved"));
     const auto paper = heights(path_of(svg, "paper"));
     REQUIRE(proved.size() >= 3);
@@ -66,7 +66,7 @@ TEST_CASE("the proved staircase goes up, never down, and never above the paper's
 
 TEST_CASE("a line is drawn only where one value is proved, and a gap is filled between its two values") {
     const std::string svg =
-        staircase_svg({piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 8, 4, 4)}, Scene::dumbbell);
+        staircase_svg({.pieces = {piece(2, 4, 3, 3), piece(4, 5, 4, 3), piece(5, 8, 4, 4)}});
     const auto numbers = [](const std::string& path) {
         std::vector<double> result;
         for (std::size_t at = path.find_first_of("0123456789"); at != std::string::npos;) {
@@ -87,65 +87,65 @@ TEST_CASE("a line is drawn only where one value is proved, and a gap is filled b
     CHECK(gap[3] == proved[4]);
     CHECK_THAT(path_of(svg, "proved"), !Contains("V"));
     CHECK_THAT(svg, Contains("gap: one of two values"));
-    CHECK_THAT(staircase_svg({piece(2, 4, 3, 3)}, Scene::dumbbell), !Contains("gap: one"));
+    CHECK_THAT(staircase_svg({.pieces = {piece(2, 4, 3, 3)}}), !Contains("gap: one"));
 }
 
 TEST_CASE("a range that begins high has the counts that it shows on its axis, and the far bound in words") {
     const std::string high = staircase_svg(
-        {piece(1'000'000, 1'005'000, 888, 888), piece(1'005'000, 1'010'000, 890, 890)}, Scene::dumbbell);
+        {.pieces = {piece(1'000'000, 1'005'000, 888, 888), piece(1'005'000, 1'010'000, 890, 890)}});
     const auto proved = heights(path_of(high, "proved"));
     REQUIRE(proved.size() == 2);
     CHECK(proved[0] - proved[1] > 50);
     CHECK_THAT(high, Contains(">889<") && Contains("the paper's bound: 1572 to 1580") &&
                          !Contains("class=\"paper\"") && Contains("1002000"));
-    CHECK_THAT(staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell), Contains("<path class=\"paper\""));
+    CHECK_THAT(staircase_svg({.pieces = {piece(6, 9, 4, 4)}}), Contains("<path class=\"paper\""));
 }
 
 TEST_CASE("a logarithmic axis says so") {
-    const std::string svg =
-        staircase_svg({piece(1, 5000, 3, 3), piece(5000, 10000, 60, 60)}, Scene::dumbbell);
+    const std::string svg = staircase_svg({.pieces = {piece(1, 5000, 3, 3), piece(5000, 10000, 60, 60)}});
     CHECK_THAT(svg, Contains("heavy over light, logarithmic") && Contains("collisions (logarithmic)"));
-    CHECK_THAT(staircase_svg({piece(6, 9, 4, 4)}, Scene::dumbbell), !Contains("collisions (logarithmic)"));
+    CHECK_THAT(staircase_svg({.pieces = {piece(6, 9, 4, 4)}}), !Contains("collisions (logarithmic)"));
 }
 
 TEST_CASE("a range that doubles can hardly tell from a point is refused") {
     const Rational end = 5 + Rational(1, Integer(1) << 50U);
-    CHECK_THROWS_WITH(staircase_svg({piece(5, end, 4, 4)}, Scene::dumbbell), Contains("dumbbell report"));
+    CHECK_THROWS_WITH(staircase_svg({.pieces = {piece(5, end, 4, 4)}}), Contains("dumbbell report"));
 }
 
 TEST_CASE("an open piece is hatched, and the legend says so") {
-    CHECK_THAT(staircase_svg(four_pieces(), Scene::dumbbell),
+    CHECK_THAT(staircase_svg({.pieces = four_pieces()}),
                Contains("class=\"hatched\"") && Contains("not decided"));
-    CHECK_THAT(staircase_svg(three_pieces(), Scene::dumbbell),
+    CHECK_THAT(staircase_svg({.pieces = three_pieces()}),
                !Contains("class=\"hatched\"") && !Contains("not decided"));
 }
 
 TEST_CASE("many counts are drawn by their logarithm: twice as many is the same step up everywhere") {
-    const auto proved = heights(
-        path_of(staircase_svg({piece(100, 200, 10, 10), piece(200, 500, 20, 20), piece(500, 2000, 40, 40)},
-                              Scene::dumbbell),
-                "proved"));
+    const auto proved =
+        heights(path_of(staircase_svg({.pieces = {piece(100, 200, 10, 10), piece(200, 500, 20, 20),
+                                                  piece(500, 2000, 40, 40)}}),
+                        "proved"));
     REQUIRE(proved.size() == 3);
     CHECK(proved[0] - proved[1] == Approx(proved[1] - proved[2]).margin(0.02));
 }
 
 TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the dumbbell") {
-    for (const auto& [scene, name] : {std::pair{Scene::wedge, "in the straight wedge"},
-                                      std::pair{Scene::hybrid, "in the hybrid wedge"}}) {
+    for (const auto& [section, name] : {std::pair{Section::wedge, "in the straight wedge"},
+                                        std::pair{Section::hybrid, "in the hybrid wedge"}}) {
         CAPTURE(name);
-        const std::string svg = staircase_svg({piece(3, 5, 4, 4), open_piece(5, 20)}, scene);
+        const std::string svg =
+            staircase_svg({.pieces = {piece(3, 5, 4, 4), open_piece(5, 20)}, .system = {section}});
         CHECK(well_formed(svg));
         CHECK_THAT(path_of(svg, "proved"), Contains("H"));
         CHECK_THAT(svg, Contains(name) && !Contains("the paper") && !Contains("class=\"growth\"") &&
                             !Contains("dumbbell") && !Contains("nan") && !Contains("inf"));
         // Its formula, ceil(pi / gamma), steps to 4 at q = 3, and so goes on where the proved value is drawn.
         CHECK(heights(path_of(svg, "paper")).at(1) == heights(path_of(svg, "proved")).front());
-        CHECK(well_formed(staircase_svg({open_piece(5, 20)}, scene)));
+        CHECK(well_formed(staircase_svg({.pieces = {open_piece(5, 20)}, .system = {section}})));
     }
-    CHECK_THAT(staircase_svg(three_pieces(), Scene::dumbbell), Contains("bouncing dumbbell"));
+    CHECK_THAT(staircase_svg({.pieces = three_pieces()}), Contains("bouncing dumbbell"));
 }
 
 TEST_CASE("an empty range has no picture") {
-    CHECK_THROWS_AS(staircase_svg({}, Scene::dumbbell), BrokenInvariant);
-    CHECK_THROWS_AS(staircase_svg({piece(10, 10, 4, 4)}, Scene::dumbbell), BrokenInvariant);
+    CHECK_THROWS_AS(staircase_svg({.pieces = {}}), BrokenInvariant);
+    CHECK_THROWS_AS(staircase_svg({.pieces = {piece(10, 10, 4, 4)}}), BrokenInvariant);
 }

@@ -1,4 +1,4 @@
-#include "collisions/body/witness.hpp"
+#include "collisions/sections/body_witness.hpp"
 
 #include <cmath>
 #include <limits>
@@ -51,22 +51,22 @@ Witness best_contact(const flight::Body<Interval>& body, long enough, const Inte
     return best;
 }
 
-flight::Body<Interval> body_of(const Rational& q_lo, const Rational& q_hi, const Heights& heights) {
-    return {hull(enclose<Interval>(heights.lo), enclose<Interval>(heights.hi)),
-            hull(enclose<Interval>(1 / q_hi), enclose<Interval>(1 / q_lo)),
-            heights.lo * q_lo == 1 && heights.hi * q_hi == 1};
+flight::Body<Interval> bodies_of(const Range& q, const Range& rho) {
+    return {hull(enclose<Interval>(rho.lo), enclose<Interval>(rho.hi)),
+            hull(enclose<Interval>(1 / q.hi), enclose<Interval>(1 / q.lo)),
+            rho.lo * q.lo == 1 && rho.hi * q.hi == 1};
 }
 
 }  // namespace
 
 long greatest_found(const Rational& q, const Rational& rho, const Interrupted& interrupted) {
     constexpr long most = 1000;
-    return as_long(best_contact(body_of(q, q, {rho, rho}), most, interrupted).total());
+    return as_long(best_contact(bodies_of({q, q}, {rho, rho}), most, interrupted).total());
 }
 
-std::optional<Witness> found_contact(const Rational& q_lo, const Rational& q_hi, const Heights& heights,
-                                     long target, const Interrupted& interrupted) {
-    const Witness best = best_contact(body_of(q_lo, q_hi, heights), target, interrupted);
+std::optional<Witness> found_contact(const Range& range, const System& system, long target,
+                                     const Interrupted& interrupted) {
+    const Witness best = best_contact(bodies_of(range, *system.rho), target, interrupted);
     return best.total() >= target ? std::optional(best) : std::nullopt;
 }
 

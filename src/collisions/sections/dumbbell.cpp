@@ -3,27 +3,16 @@
 #include <cmath>
 #include <type_traits>
 
-#include "collisions/scene.hpp"
+#include "collisions/names.hpp"
+#include "collisions/section.hpp"
 #include "collisions/step_guess.hpp"
 #include "collisions/witness.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
 
-/// The scene dumbbell: its two extremal orbits tell what to try (Theorems 1 and 2).
+/// The dumbbell: its two extremal orbits tell what to try (Theorems 1 and 2).
 namespace dumbbell::collisions {
 namespace {
-
-std::vector<Chart> dumbbell_charts(Section section) {
-    switch (section) {
-        case Section::turning:
-            return {Chart::bridge, Chart::light};
-        case Section::full:
-            return {Chart::contact, Chart::departure, Chart::again};
-        case Section::plain:
-            return {Chart::plain_contact, Chart::plain_departure, Chart::again};
-    }
-    return {};
-}
 
 /// The step to n, to a small part of the gap, which is at most a thousandth of the distance to the next step.
 /// More of it costs little while the orbits are short. Were it wrong, pieces would stay open.
@@ -31,15 +20,12 @@ Step dumbbell_step(long n, double gap, const Interrupted& interrupted) {
     // Wider gaps are placed with doubles: a step is off by up to 2^-48, which must be a small part of the
     // gap.
     constexpr double narrow = 1e-13;
-    // From so many collisions on with macro steps. Flight by flight the four steps of 1e12:1.00001e12 took
-    // 43 s; so all of `certify` takes 1.2 s.
-    constexpr long least_long = 100'000;
-    if (n < least_long && gap >= narrow) {
+    if (n < flight::macro::least_for_placing && gap >= narrow) {
         return {n, exact(guess_step(n, interrupted)), exact(0x1p-48), false};
     }
     // Relative distances are 2/n times those between the steps.
     const double share = std::min(1e-3, gap * static_cast<double>(n) / 2);
-    const int spare = n >= least_long ? 12 : 40;
+    const int spare = n >= flight::macro::least_for_placing ? 12 : 40;
     const int share_bits = std::clamp(spare - static_cast<int>(std::log2(share)), 24, 1060);
     const auto found = find_step(n, share_bits, interrupted);
     return found ? Step{n, found->at, Rational(Integer(1), (Integer(1) << (share_bits - 6)) * n), false}
@@ -59,7 +45,7 @@ bool tells_counts_apart(const Rational& q) {
 /// From upper bounds on the two extremal orbits and a lower one on that whose last flight decides (Theorem 2
 /// (c)).
 template <class I>
-std::optional<Count> suspected_maximum(const Rational& q, const std::optional<Heights>& /*heights*/,
+std::optional<Count> suspected_maximum(const Rational& q, const System& /*system*/,
                                        const Interrupted& interrupted) {
     using flight::ExtremalOrbit;
     using N = flight::CountOf<I>;
@@ -104,16 +90,14 @@ bool orbits_stay_below(const Count& n, const Rational& q, const Interrupted& int
 }
 
 template <class I>
-std::optional<Witness> dumbbell_witness(const Rational& q_lo, const Rational& q_hi, const Count& target,
-                                        const std::optional<Heights>& /*heights*/,
+std::optional<Witness> dumbbell_witness(const Range& range, const Count& target, const System& /*system*/,
                                         const Interrupted& interrupted) {
-    return find_witness<I>(q_lo, q_hi, target, interrupted);
+    return find_witness<I>(range.lo, range.hi, target, interrupted);
 }
 
 /// L7.
-std::optional<Cover> equal_masses(const Rational& q_lo, const Rational& q_hi, const Count& upper,
-                                  const std::optional<Heights>& /*heights*/) {
-    const bool holds = q_lo == 1 && q_hi == 1 && upper >= 2;
+std::optional<Cover> equal_masses(const Range& range, const Count& upper, const System& /*system*/) {
+    const bool holds = range.hi == 1 && upper >= 2;
     return holds ? std::optional(Cover{.equal_masses = true, .charts = {}}) : std::nullopt;
 }
 
@@ -121,9 +105,15 @@ template <class I>
 constexpr BoundSearch<I> dumbbell_bounds{suspected_maximum<I>, orbits_reach<I>, orbits_stay_below<I>,
                                          dumbbell_witness<I>};
 
-}  // namespace
+constexpr std::array turning_charts{Chart::bridge, Chart::light};
+constexpr std::array full_charts{Chart::contact, Chart::departure, Chart::again},
+    plain_charts{Chart::plain_contact, Chart::plain_departure, Chart::again};
 
-const SceneRow dumbbell_row{
+constexpr SectionRow turning{
+    .scene = "dumbbell",
+    .section = "turning",
+    .lemmas = "1",
+    .section_in_file = "turning",
     .hits = "trajectory hits the floor",
     .hits_it = "trajectory hits it",
     .system = "The dumbbell",
@@ -133,9 +123,31 @@ const SceneRow dumbbell_row{
     .most_digits = 100,
     .has_orbits = true,
     .has_paper_bound = true,
-    .charts = dumbbell_charts,
+    .charts = turning_charts,
     .step = dumbbell_step,
     .by_lemma = equal_masses,
     .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
+
+/// All states, not a section of them.
+constexpr SectionRow all_states(std::string_view section, std::string_view lemmas,
+                                std::span<const Chart> charts) {
+    SectionRow row = turning;
+    row.section = section;
+    row.lemmas = lemmas;
+    row.section_in_file = "full";
+    row.kind_in_totals = name(Reason::once);
+    row.most_digits = SectionRow{}.most_digits;
+    row.shows_heavy_once = true;
+    row.bits_to_verify = 0;
+    row.max_bits = 2048;
+    row.max_nodes = 20'000'000;
+    row.charts = charts;
+    return row;
+}
+
+}  // namespace
+
+const SectionRow turning_row = turning, full_row = all_states("full", "1", full_charts),
+                 plain_row = all_states("plain", "minimal", plain_charts);
 
 }  // namespace dumbbell::collisions

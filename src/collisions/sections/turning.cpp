@@ -1,4 +1,4 @@
-#include "collisions/leaf_judges.hpp"
+#include "collisions/chart.hpp"
 #include "flight/bridge_clearance.hpp"
 #include "flight/chart.hpp"
 #include "flight/count.hpp"
@@ -11,26 +11,27 @@ namespace {
 
 /// A box in enclosures. Positions are clipped to the section, e <= pi/2.
 template <class I>
-struct Bounds {
+struct TurningBounds {
     I e_lo, slope_lo, slope_hi;
     flight::Position<I> low, high;
     flight::RatioRange<I> range;
 };
 
 template <class I>
-Bounds<I> bounds_of(const Box& box) {
-    const I e_lo = box.e_lo.enclosure<I>();
+TurningBounds<I> turning_bounds(const Box& box) {
+    const auto& [e, slope, q, rho] = box.sides;
+    const I e_lo = e.lo.template enclosure<I>();
     return {e_lo,
-            box.slope_lo.enclosure<I>(),
-            box.slope_hi.enclosure<I>(),
+            slope.lo.template enclosure<I>(),
+            slope.hi.template enclosure<I>(),
             flight::position(e_lo),
-            flight::position(box.e_hi.enclosure<I>()),
-            {box.q_hi.inverse<I>(), box.q_lo.inverse<I>()}};
+            flight::position(e.hi.template enclosure<I>()),
+            {q.hi.template inverse<I>(), q.lo.template inverse<I>()}};
 }
 
 /// Beyond the peak, or X not in play (L3) on the whole box. X has slope >= r_lo * slope_lo in both charts.
 template <class I>
-bool beyond_section(const Bounds<I>& b) {
+bool beyond_section(const TurningBounds<I>& b) {
     return certainly_less(half_pi<I>(), b.e_lo) || certainly_at_most(I(1), b.range.r_lo * b.slope_lo);
 }
 
@@ -45,7 +46,7 @@ struct Case {
 
 /// L8: X is lowest at the far end of the position, sigma X at the near end, both at the least steepness.
 template <class I>
-Case<I> bridge_case(const Bounds<I>& b) {
+Case<I> bridge_case(const TurningBounds<I>& b) {
     if (beyond_section(b)) {
         return {Leaf{Reason::outside}, std::nullopt, std::nullopt};
     }
@@ -56,14 +57,14 @@ Case<I> bridge_case(const Bounds<I>& b) {
 
 /// L9: sigma X descends on the whole box, so the collision is not turning there.
 template <class I>
-bool certainly_not_turning(const Bounds<I>& b) {
+bool certainly_not_turning(const TurningBounds<I>& b) {
     const I& w = b.high.cos_e;
     return certainly_less(I(2) * w, b.slope_lo * (sqr(w) - b.range.r_hi));
 }
 
 /// L9: sigma X certainly flies left and crosses the bridge on the whole box.
 template <class I>
-bool reversed_meets_bridge(const Bounds<I>& b) {
+bool reversed_meets_bridge(const TurningBounds<I>& b) {
     const I& w = b.high.cos_e;
     const I least_denominator = sqr(w) + I(2) * b.range.r_lo * b.slope_lo * w - b.range.r_hi;
     if (!certainly_positive(least_denominator)) {
@@ -75,7 +76,7 @@ bool reversed_meets_bridge(const Bounds<I>& b) {
 }
 
 template <class I>
-Case<I> light_case(const Bounds<I>& b) {
+Case<I> light_case(const TurningBounds<I>& b) {
     if (beyond_section(b) || certainly_not_turning(b)) {
         return {Leaf{Reason::outside}, std::nullopt, std::nullopt};
     }
@@ -100,18 +101,9 @@ Case<I> light_case(const Bounds<I>& b) {
     return {std::nullopt, out, light_outgoing(b.low, r * mu, r)};
 }
 
-template <class I>
-Case<I> case_of(Chart chart, const Box& box) {
-    const Bounds<I> bounds = bounds_of<I>(box);
-    return chart == Chart::bridge ? bridge_case(bounds) : light_case(bounds);
-}
-
-}  // namespace
-
-template <class I>
-std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& upper,
-                                  const Interrupted& interrupted) {
-    const Case<I> found = case_of<I>(chart, box);
+template <class I, auto case_of>
+std::optional<Leaf> judge_turning(const Box& box, const Count& upper, const Interrupted& interrupted) {
+    const Case<I> found = case_of(turning_bounds<I>(box));
     if (found.leaf || !found.out) {
         return found.leaf;
     }
@@ -126,8 +118,9 @@ std::optional<Leaf> judge_turning(Chart chart, const Box& box, const Count& uppe
     return backward > room ? std::nullopt : std::optional(Leaf{Reason::count, forward, backward});
 }
 
-bool is_open_turning(Chart chart, const Box& box, long upper, const Interrupted& interrupted) {
-    const Case<Interval> found = case_of<Interval>(chart, box);
+template <auto case_of>
+bool is_open_turning(const Box& box, long upper, const Interrupted& interrupted) {
+    const Case<Interval> found = case_of(turning_bounds<Interval>(box));
     if (found.leaf || !found.out) {
         return false;
     }
@@ -136,7 +129,27 @@ bool is_open_turning(Chart chart, const Box& box, long upper, const Interrupted&
                                                                  interrupted) == upper - forward);
 }
 
-template std::optional<Leaf> judge_turning<Interval>(Chart, const Box&, const Count&, const Interrupted&);
-template std::optional<Leaf> judge_turning<BigInterval>(Chart, const Box&, const Count&, const Interrupted&);
+constexpr auto on_bridge = [](const auto& b) { return bridge_case(b); };
+constexpr auto on_light_wall = [](const auto& b) { return light_case(b); };
+
+}  // namespace
+
+const ChartRow bridge_chart{
+    .name = "bridge",
+    .position = "e",
+    .slope = "eta",
+    .greatest_position = 2,
+    .splits_position_only = true,  // both counts are at the least slope (L8)
+    .judges = {judge_turning<Interval, on_bridge>, judge_turning<BigInterval, on_bridge>},
+    .is_open = is_open_turning<on_bridge>};
+
+const ChartRow light_chart{
+    .name = "light",
+    .position = "e",
+    .slope = "lambda",
+    .greatest_position = 2,
+    .counts_at_least_position = true,  // L9
+    .judges = {judge_turning<Interval, on_light_wall>, judge_turning<BigInterval, on_light_wall>},
+    .is_open = is_open_turning<on_light_wall>};
 
 }  // namespace dumbbell::collisions

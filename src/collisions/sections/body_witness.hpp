@@ -11,10 +11,9 @@ namespace dumbbell::collisions {
 /// The most collisions that a contact of a grid has in the body (rho, Q): a guess of the maximum.
 [[nodiscard]] long greatest_found(const Rational& q, const Rational& rho, const Interrupted& interrupted);
 
-/// A contact with at least `target` collisions in all, for every Q in [q_lo, q_hi] and every height, if one
-/// is found.
-[[nodiscard]] std::optional<Witness> found_contact(const Rational& q_lo, const Rational& q_hi,
-                                                   const Heights& heights, long target,
+/// A contact with at least `target` collisions in all, for every Q in the range and every rho of the system,
+/// if one is found.
+[[nodiscard]] std::optional<Witness> found_contact(const Range& range, const System& system, long target,
                                                    const Interrupted& interrupted);
 
 }  // namespace dumbbell::collisions
