@@ -164,17 +164,4 @@ Proof.
     apply upper_le with (N.to_nat V); [lia | now apply PU with w].
   - apply lower_le with (N.to_nat (attained P)); [|exact PL]. assert (K := least_le _ _ P1). lia.
 Qed.
-
-(** N(q) exists and lies between the two bounds of its piece. *)
-Theorem range_N q : ratio_value (range_from c) <= q <= ratio_value (range_to c) ->
-  exists P n, In P (pieces c) /\ in_piece P q /\ N_star q n /\ (N.to_nat (attained P) <= n)%nat /\
-    (forall U w, bound P = Some (U, w) -> (n <= N.to_nat U)%nat).
-Proof.
-  intros Hq. destruct (range_sound q Hq) as [P [P1 [P2 [Q1 [PU PL]]]]]. destruct (N_exists q Q1) as [n [[NU NL] _]].
-  exists P, n. split; [exact P1|]. split; [exact P2|]. split; [now split|].
-    destruct (unit_real q ltac:(lra)) as [D1 D2]. split.
-  - destruct (PL _ D1 D2) as [p [Hm [s [A1 [A2 A3]]]]]. rewrite <- A2. exact (NU _ p D1 D2 Hm s A1 A3).
-  - intros U w HU. destruct (NL _ D1 D2) as [p [Hm [s [A1 [A2 A3]]]]]. rewrite <- A2.
-    exact (PU U w HU _ p D1 D2 Hm s A1 A3).
-Qed.
 End Certificate.
