@@ -3,7 +3,7 @@
     of Coq's real numbers has the name of its file before it. So no other file can change what a sentence here says. *)
 From Coq Require Import Reals.
 From Dumbbell Require Import Statement.
-From Dumbbell Require AnyMotion CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
+From Dumbbell Require AnyMotion AtMostOnce CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
   ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
   Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
   StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
@@ -82,7 +82,7 @@ Theorem theorem_1c_not_empty : forall (q : R) (n : nat), 1 <= q -> N_star q n ->
 Proof. exact OpenSet.theorem_1c_not_empty. Qed.
 Theorem L6c_heavy_at_most_once : forall P : dumbbell, real_dumbbell P -> Flight.r_of P <= 1 -> forall (p : R -> pos)
   (T T' : R), motion P p -> collision P p T -> y2 P (p T) = 0 -> collision P p T' -> y2 P (p T') = 0 -> T = T'.
-Proof. exact HeavyOnce.L6c_heavy_at_most_once. Qed.
+Proof. exact AtMostOnce.L6c_heavy_at_most_once. Qed.
 Theorem L24_no_heavy : forall P : dumbbell, real_dumbbell P -> Flight.r_of P <= 1 -> forall k0 k1 : nat, (forall n :
   nat, Ray.coll (Flight.r_of P) n (Flight.r_of P) 0 -> (n <= k0)%nat) -> (forall n : nat, Ray.coll (Flight.r_of P) n
   (PI * Flight.r_of P) (Flight.r_of P) -> (n <= k1)%nat) -> forall p : R -> pos, motion P p -> Collisions.no_heavy P p

@@ -48,6 +48,12 @@ Proof.
   assert (0 < IZR (Zpos (den x)) * IZR (Zpos (den y))) by pos.
   apply Rmult_le_reg_r with (IZR (Zpos (den x)) * IZR (Zpos (den y))); [assumption|]. rewrite A, B. now apply IZR_le.
 Qed.
+Lemma ratio_le_not x y : ratio_le x y = false -> ratio_value y < ratio_value x.
+Proof.
+  unfold ratio_le. intros H. apply Pos.leb_gt in H. destruct (ratio_cross x y) as [A B].
+  assert (0 < IZR (Zpos (den x)) * IZR (Zpos (den y))) by pos.
+  apply Rmult_lt_reg_r with (IZR (Zpos (den x)) * IZR (Zpos (den y))); [assumption|]. rewrite A, B. now apply IZR_lt.
+Qed.
 Lemma ratio_eq_ok x y : ratio_eq x y = true -> ratio_value x = ratio_value y.
 Proof.
   unfold ratio_eq. intros H. apply Pos.eqb_eq in H. apply Rle_antisym; apply ratio_le_ok; unfold ratio_le; rewrite H;

@@ -4,11 +4,11 @@
 
     leaf_holds, contact_holds, piece_fault   == a leaf, a witness, a piece is right: by doubles, or with its bits
     joined, covered                          == the pieces join; the good ones among them cover a range
-    demand, unproved                         == what was asked; that the pieces do not prove it
+    demand, unproved                         == what was asked; what of it the pieces do not prove
     certificate_fault                        == the first fault of a certificate, or None
-    greatest, least, is_gap, is_open, how_many == what a verdict says beside: bounds, and pieces whose bounds differ *)
+    greatest, least, says_heavy_once, how_many == what a verdict says beside: bounds, the heavy mass, pieces of a kind *)
 From Coq Require Import ZArith NArith List Bool String DecimalString DecimalN.
-From Dumbbell Require Import Certificate Doubles Multiple.
+From Dumbbell Require Import Certificate Gaps Doubles Multiple.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -83,21 +83,43 @@ Definition arrive (good : piece -> bool) (a : ratio) (reached : option ratio) (P
 Definition covered (good : piece -> bool) (a b : ratio) (l : list piece) : bool :=
   match fold_left (arrive good a) l None with Some x => ratio_le b x | None => false end.
 
-(** What is asked: for each mass ratio in the range (else that of the file) at most, and at least,
-  a number of collisions. *)
-Record demand := { asked_range : option (ratio * ratio); asked_most : option N; asked_least : option N }.
+(** What is asked of each mass ratio in the range (else that of the file): at most, and at least, a number of
+  collisions; the greatest number itself, but in gaps of at most a relative width n/d, and in how many; and that the
+  heavy mass hits the floor at most once. *)
+Record demand := { asked_range : option (ratio * ratio); asked_most : option N; asked_least : option N;
+  asked_gap : option (N * positive); asked_gaps : option N; asked_once : bool }.
 Definition at_most_in (n : N) (P : piece) : bool := match bound P with Some (U, _) => (U <=? n)%N | None => false end.
 Definition at_least_in (n : N) (P : piece) : bool := (n <=? attained P)%N.
 Definition range_asked (d : demand) (c : certificate) : ratio * ratio := match asked_range d with Some r => r | None =>
   (range_from c, range_to c) end.
+Definition if_asked {A} (asked : option A) (holds : A -> bool) : bool :=
+  match asked with Some x => holds x | None => true end.
+Definition asks_of_gaps (d : demand) : bool :=
+  match asked_gap d, asked_gaps d with None, None => false | _, _ => true end.
+Definition known_but_in_gaps (d : demand) (a b : ratio) (l : list piece) : bool :=
+  if ratio_le b a then known_at a l else
+  covered (concerns a b) a b l && forallb (fun P => negb (concerns a b P && is_open P)) l &&
+  if_asked (asked_gap d) (fun w => forallb (narrow w) (gaps a b l)) &&
+  if_asked (asked_gaps d) (fun n => (N.of_nat (List.length (gaps a b l)) <=? n)%N).
+(** Does the file say that the heavy mass hits the floor at most once? That needs no certificate: it is true of every
+    q >= 1 (AtMostOnce.L6c_heavy_at_most_once). *)
+Definition says_heavy_once (c : certificate) : bool :=
+  match about c with
+  | turning => false
+  | full | full_minimal => forallb (fun P => match bound P with Some _ => true | None => false end) (pieces c)
+  end.
+Definition unless (holds : bool) (why : string) : option string := if holds then None else Some why.
 Definition unproved (d : demand) (c : certificate) : option string :=
   let '(a, b) := range_asked d c in
-  if negb (covered (fun _ => true) a b (pieces c)) then
-    Some "the file does not cover the mass ratios that were asked for" else
-  if match asked_most d with Some n => negb (covered (at_most_in n) a b (pieces c)) | None => false end
-  then Some "not proved: the greatest number of collisions that was asked for" else
-  if match asked_least d with Some n => negb (covered (at_least_in n) a b (pieces c)) | None => false end
-  then Some "not proved: the least number of collisions that was asked for" else None.
+  let l := pieces c in
+  first_of (unless (covered (fun _ => true) a b l) "the file does not cover the mass ratios that were asked for")
+  (first_of (unless (if_asked (asked_most d) (fun n => covered (at_most_in n) a b l))
+    "not proved: the greatest number of collisions that was asked for")
+  (first_of (unless (if_asked (asked_least d) (fun n => covered (at_least_in n) a b l))
+    "not proved: the least number of collisions that was asked for")
+  (first_of (unless (negb (asks_of_gaps d) || known_but_in_gaps d a b l)
+    "not proved: the greatest number itself, but in the gaps that were asked for")
+  (unless (negb (asked_once d) || says_heavy_once c) "not proved: the heavy mass hits the floor at most once")))).
 
 Definition certificate_fault (again : bool) (d : demand) (c : certificate) : option string :=
   if negb (joined (range_from c) (pieces c) (range_to c)) then Some "the pieces do not join" else
@@ -105,21 +127,10 @@ Definition certificate_fault (again : bool) (d : demand) (c : certificate) : opt
     match first_fault again 1 (pieces c) with Some why => Some why | None => unproved d c end
   end.
 
-(** What the file says: the greatest upper bound, if each piece has one, and the least lower one;
-  pieces whose two bounds differ by one,
-    and by more. *)
+(** What the file says: the greatest upper bound, if each piece has one, and the least lower one. *)
 Definition greatest (l : list piece) : option N :=
   fold_left (fun u P => match u, bound P with Some u, Some (v, _) => Some (N.max u v) | _, _ => None end) l (Some 0%N).
 Definition least (l : list piece) : N := match l with [] => 0%N | P :: l => fold_left (fun v Q =>
   N.min v (attained Q)) l (attained P) end.
-Definition is_gap (P : piece) : bool := match bound P with Some (U, _) => (U =? attained P + 1)%N | None => false end.
-Definition is_open (P : piece) : bool := match bound P with Some (U, _) => (attained P + 1 <? U)%N | None => true end.
-(** Does the file say, too, that the heavy mass hits the floor at most once? That needs no certificate: it is true of
-    every q >= 1 (HeavyOnce.L6c_heavy_at_most_once). *)
-Definition says_heavy_once (c : certificate) : bool :=
-  match about c with
-  | turning => false
-  | full | full_minimal => forallb (fun P => match bound P with Some _ => true | None => false end) (pieces c)
-  end.
 Definition how_many (p : piece -> bool) (l : list piece) : N := fold_left (fun n P => if p P then N.succ n else
   n) l 0%N.

@@ -1,6 +1,6 @@
 (** The checker as an OCaml program. The constants of the real numbers stand in terms that are never run. *)
 From Coq Require Import ZArith NArith List String.
-From Dumbbell Require Import Certificate Check Text Reader Decide.
+From Dumbbell Require Import Certificate Gaps Check Text Reader Decide.
 Require Extraction.
 From Coq Require Import ExtrOcamlBasic ExtrOCamlInt63 ExtrOCamlFloats.
 Extract Constant ClassicalDedekindReals.sig_forall_dec => "fun _ -> assert false".

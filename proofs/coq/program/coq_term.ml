@@ -71,12 +71,24 @@ let count n = decimal n ^ "%N"
 let option f = function None -> "None" | Some x -> "(Some " ^ f x ^ ")"
 
 (* What is said of every mass ratio between two, as Coq states it. *)
-let statement (from, upto) most least =
-  let value r = Printf.sprintf "%s / %s" (decimal (C.Npos r.C.num)) (decimal (C.Npos r.C.den)) in
+let fraction n d = Printf.sprintf "%s / %s" (decimal n) (decimal (C.Npos d))
+let value r = fraction (C.Npos r.C.num) r.C.den
+let statement (from, upto) most least once =
   let bound which = function Some n -> [Printf.sprintf "%s_bound q (N.to_nat %s)" which (count n)] | None -> [] in
-  let bounds = bound "upper" most @ bound "lower" least in
-  Printf.sprintf "forall q : R, %s <= q <= %s -> %s" (value from) (value upto)
-    (if bounds = [] then "1 <= q" else String.concat " /\\ " bounds)
+  let said = bound "upper" most @ bound "lower" least @ if once then ["heavy_once q"] else [] in
+  Printf.sprintf "(forall q : R, %s <= q <= %s -> %s)" (value from) (value upto)
+    (if said = [] then "1 <= q" else String.concat " /\\ " said)
+(* What was asked of the gaps: the end of the statement, and the beginning of its proof. *)
+let about_gaps (from, upto) d =
+  let width (n, e) = Printf.sprintf " /\\ (forall x y, In (x, y) gaps -> y - x <= %s * x)" (fraction n e) in
+  let number n = Printf.sprintf " /\\ (List.length gaps <= N.to_nat %s)%%nat" (count n) in
+  let said words = function Some x -> words x | None -> "" in
+  if d.C.asked_gap = None && d.C.asked_gaps = None then "", ""
+  else
+    Printf.sprintf " /\\\n  exists gaps, known_but_in gaps (pieces whole) (%s) (%s)%s%s" (value from) (value upto)
+      (said width d.C.asked_gap) (said number d.C.asked_gaps),
+    "  split; [|destruct (gaps_as_asked _ _ (fault_none _ _ _ accepted)) as [gaps [K [W L]]]; [reflexivity|]; exists gaps; repeat apply conj;\n\
+    (exact K || exact (W _ _ eq_refl) || exact (L _ eq_refl))].\n"
 let shown = "Check proved_by_the_kernel.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
 
 let write_claim folder (from, upto) most least for_most for_least =
@@ -89,7 +101,7 @@ Theorem proved_by_the_kernel : %s.\nProof.\n\
   intros q Hq. destruct (decided_by_orbits _ _ _ accepted q Hq) as [U V].\n\
   repeat split; (apply U || apply V); reflexivity.\nQed.\n%s"
     (ratio from) (ratio upto) (option count most) (option count least) (numbers for_most) (numbers for_least)
-    (statement (from, upto) most least) shown)
+    (statement (from, upto) most least false) shown)
 
 let write_all folder demand c =
   let l = parts c.C.pieces in
@@ -99,17 +111,18 @@ let write_all folder demand c =
   let said, most, least = match demand.C.asked_most, demand.C.asked_least with
     | None, None -> "the file", C.greatest c.C.pieces, Some (C.least c.C.pieces)
     | most, least -> "the demand", most, least in
+  let gaps, of_gaps = about_gaps (from, upto) demand in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
-From Dumbbell Require Import Statement Certificate Check Piece Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
+From Dumbbell Require Import Statement Certificate Check Piece AtMostOnce KnownButInGaps Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
-Definition asked : demand := Build_demand (Some (%s, %s)) %s %s.\n\
+Definition asked : demand := Build_demand (Some (%s, %s)) %s %s %s %s %b.\n\
 Lemma accepted : certificate_fault true asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
   - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
   - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
-Theorem proved_by_the_kernel : %s.\nProof.\n  intros q Hq.\n\
-  destruct (as_asked _ _ (fault_none _ _ _ accepted) q) as [U V]; [exact Hq|].\n\
-  repeat split; (apply U || apply V); reflexivity.\nQed.\n\
+Theorem proved_by_the_kernel : %s%s.\nProof.\n%s  intros q Hq.\n\
+  destruct (as_asked _ _ (fault_none _ _ _ accepted) q) as [U [V W]]; [exact Hq|].\n\
+  repeat apply conj; (apply U || apply V || apply W); reflexivity.\nQed.\n\
 Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
   (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
 Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
@@ -117,5 +130,7 @@ Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
     (match c.C.about with C.Turning -> "turning" | C.Full -> "full" | C.Full_minimal -> "full_minimal") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
     (ratio from) (ratio upto) (option count most) (option count least)
+    (option (fun (n, e) -> Printf.sprintf "(%s, %s%%positive)" (count n) (decimal (C.Npos e))) demand.C.asked_gap)
+    (option count demand.C.asked_gaps) demand.C.asked_once
     (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))
-    (statement (from, upto) most least) shown)
+    (statement (from, upto) most least demand.C.asked_once) gaps of_gaps shown)

@@ -17,11 +17,15 @@ let without_zeros s =
   let i = from 0 in
   String.sub s i (String.length s - i)
 
-(* P/Q, or 10^N, or a decimal, perhaps with an exponent, exactly. *)
-let ratio s =
-  let bad () = usage ("not a mass ratio: `" ^ s ^ "`") in
+(* P/Q, or 10^N, or a decimal, perhaps with an exponent, exactly: a numerator, perhaps 0, and a denominator. *)
+let rational s =
+  let bad () = usage ("not a number: `" ^ s ^ "`") in
   let fraction a b =
-    match C.ratio_of (to_coq (without_zeros a ^ "/" ^ without_zeros b)) with Some r -> C.lowest_terms r | None -> bad () in
+    let a = without_zeros a in
+    match C.ratio_of (to_coq ((if a = "0" then "1" else a) ^ "/" ^ without_zeros b)) with
+    | None -> bad ()
+    | Some _ when a = "0" -> C.N0, C.XH
+    | Some r -> let r = C.lowest_terms r in C.Npos r.C.num, r.C.den in
   let exponent_of e =
     let signed = e <> "" && (e.[0] = '+' || e.[0] = '-') in
     let digits = if signed then String.sub e 1 (String.length e - 1) else e in
@@ -48,6 +52,12 @@ let ratio s =
   | _ -> bad ()
 
 let one = { C.num = C.XH; C.den = C.XH }
+let ratio s = match rational s with
+  | C.Npos num, den -> { C.num; den }
+  | C.N0, _ -> usage ("not a positive ratio: `" ^ s ^ "`")
+let width s = match rational s with
+  | C.Npos num, den when C.ratio_le one { C.num; den } -> usage ("--gap is a width below 1, not " ^ s)
+  | number -> number
 let inverse r = { C.num = r.C.den; C.den = r.C.num }
 
 (* Below 1 the masses are exchanged. *)
@@ -66,16 +76,22 @@ let ratio_text r = of_coq (C.ratio_text r)
 let text d =
   let count name = function Some n -> Printf.sprintf " %s=%s" name (decimal n) | None -> "" in
   (match d.C.asked_range with Some (lo, hi) -> Printf.sprintf " demanded-ratio=%s:%s" (ratio_text lo) (ratio_text hi) | None -> "")
-  ^ if d.C.asked_most <> None && d.C.asked_most = d.C.asked_least then count "exactly" d.C.asked_most
-    else count "max" d.C.asked_most ^ count "min" d.C.asked_least
+  ^ (if d.C.asked_most <> None && d.C.asked_most = d.C.asked_least then count "exactly" d.C.asked_most
+     else count "max" d.C.asked_most ^ count "min" d.C.asked_least)
+  ^ (match d.C.asked_gap with Some (n, e) -> Printf.sprintf " demanded-gap=%s/%s" (decimal n) (decimal (C.Npos e)) | None -> "")
+  ^ count "demanded-gaps" d.C.asked_gaps ^ (if d.C.asked_once then " demanded-heavy-at-most=1" else "")
 
 type t = { files : string list; term : string option; asked : C.demand }
 
-let nothing = { files = []; term = None; asked = { C.asked_range = None; C.asked_most = None; C.asked_least = None } }
+let nothing = { files = []; term = None; asked = { C.asked_range = None; asked_most = None; asked_least = None;
+                                                   asked_gap = None; asked_gaps = None; asked_once = false } }
+let options = ["--ratio"; "--max"; "--min"; "--exactly"; "--gap"; "--gaps"; "--heavy-at-most"]
 
 let rec parse seen o = function
   | [] ->
     let claimed = o.asked.C.asked_range <> None && (o.asked.C.asked_most <> None || o.asked.C.asked_least <> None) in
+    if o.files = [] && (o.asked.C.asked_gap <> None || o.asked.C.asked_gaps <> None || o.asked.C.asked_once) then
+      usage "--gap, --gaps and --heavy-at-most are about a certificate: name its FILE";
     if o.files = [] && not claimed then usage "no FILE, and no --ratio with a bound; see docs/4-verifying.md";
     { o with files = List.rev o.files }
   | "--" :: files -> parse seen { o with files = List.rev_append files o.files } []
@@ -83,8 +99,9 @@ let rec parse seen o = function
     let name, rest = match String.index_opt word '=' with
       | Some k -> String.sub word 0 k, String.sub word (k + 1) (String.length word - k - 1) :: rest
       | None -> word, rest in
-    if not (List.mem name ["--ratio"; "--max"; "--min"; "--exactly"; "--term"]) then
-      usage ("unknown option " ^ name ^ "; there are --ratio, --max, --min, --exactly and --kernel");
+    if not (List.mem name ("--term" :: options)) then
+      usage ("the proved checker knows no " ^ name ^ ": leave it out, or ask dumbbell-verify; there are "
+             ^ String.concat ", " options ^ " and, as the first, --kernel");
     if List.mem name seen then usage (name ^ " is given twice");
     let seen = name :: seen in
     if List.mem "--exactly" seen && (List.mem "--max" seen || List.mem "--min" seen) then
@@ -98,6 +115,10 @@ let rec parse seen o = function
          | "--max" -> { o with asked = { o.asked with C.asked_most = n () } }
          | "--min" -> { o with asked = { o.asked with C.asked_least = n () } }
          | "--exactly" -> { o with asked = { o.asked with C.asked_most = n (); C.asked_least = n () } }
+         | "--gap" -> { o with asked = { o.asked with C.asked_gap = Some (width value) } }
+         | "--gaps" -> { o with asked = { o.asked with C.asked_gaps = n () } }
+         | "--heavy-at-most" when value = "1" -> { o with asked = { o.asked with C.asked_once = true } }
+         | "--heavy-at-most" -> usage "--heavy-at-most is 1: no other number is proved"
          | _ -> { o with term = Some value } in
        parse seen o rest)
   | file :: rest -> parse seen { o with files = file :: o.files } rest

@@ -3,6 +3,8 @@
     asked of them.
 
     demand_sound, summary_sound == what was asked, and what the file says, is true of every ratio of the range
+    asked_of_pieces             == what was asked, as the checker finds it of the pieces
+    parts, covered_sound        == what it is to be accepted; a range that is covered by good pieces
     upper_le, lower_le          == weaker bounds *)
 From Coq Require Import Reals ZArith NArith List Lra Lia Bool.
 From Dumbbell Require Import Physics Certificate Check Scaling Maximum Piece.
@@ -79,7 +81,7 @@ Variable again : bool.
 Variable d : demand.
 Variable c : certificate.
 Hypothesis accepted : certificate_fault again d c = None.
-Let parts : joined (range_from c) (pieces c) (range_to c) = true /\ pieces c <> [] /\ (forall P, In P (pieces c) ->
+Lemma parts : joined (range_from c) (pieces c) (range_to c) = true /\ pieces c <> [] /\ (forall P, In P (pieces c) ->
   piece_fault again P = None) /\ unproved d c = None.
 Proof.
   unfold certificate_fault in accepted. destruct (joined _ _ _); [|discriminate]. simpl in accepted.
@@ -101,28 +103,34 @@ Proof.
   destruct K as [P [P1 P2]]. exists P. split; [exact P1|]. split; [exact P2|]. exact (piece_sound P again (Hp P P1) q P2).
 Qed.
 
-(** What was asked is proved. *)
+Lemma asked_of_pieces a b : range_asked d c = (a, b) -> covered (fun _ => true) a b (pieces c) = true /\
+  if_asked (asked_most d) (fun n => covered (at_most_in n) a b (pieces c)) = true /\
+  if_asked (asked_least d) (fun n => covered (at_least_in n) a b (pieces c)) = true /\
+  (asks_of_gaps d = true -> known_but_in_gaps d a b (pieces c) = true) /\ (asked_once d = true -> says_heavy_once c = true).
+Proof.
+  intros Hab. destruct parts as [_ [_ [_ H]]]. unfold unproved in H. rewrite Hab in H.
+  repeat (apply first_of_none in H; destruct H as [?K H]). unfold unless in *.
+  destruct (covered _ a b _); [|discriminate]. destruct (if_asked (asked_most d) _); [|discriminate].
+  destruct (if_asked (asked_least d) _); [|discriminate]. repeat split.
+  - intros A. rewrite A in *. now destruct (known_but_in_gaps d a b _).
+  - intros A. rewrite A in *. now destruct (says_heavy_once c).
+Qed.
+(** The bounds that were asked for are proved. *)
 Theorem demand_sound a b : range_asked d c = (a, b) -> forall q, ratio_value a <= q <= ratio_value b ->
   1 <= q /\ (forall n, asked_most d = Some n -> upper_bound q (N.to_nat n)) /\ (forall n, asked_least d = Some n ->
     lower_bound q (N.to_nat n)).
 Proof.
-  intros Hab q Hq. destruct parts as [_ [_ [Hp Hu]]]. unfold unproved in Hu. rewrite Hab in Hu.
-  destruct (covered (fun _ => true) a b (pieces c)) eqn:C0; [|discriminate]. simpl in Hu.
-  destruct (covered_sound _ _ _ _ C0 q Hq) as [P [P1 [_ P2]]]. split; [exact (proj1 (piece_sound P again (Hp P P1) q P2))|].
-  destruct (asked_most d) as [m|].
-  - destruct (covered (at_most_in m) a b (pieces c)) eqn:C1; [|discriminate]. simpl in Hu. split.
-    + intros n K. injection K; intros <-. destruct (covered_sound _ _ _ _ C1 q Hq) as [Q [Q1 [Q2 Q3]]].
-      unfold at_most_in in Q2.
-      destruct (bound Q) as [[U w]|] eqn:E; [|discriminate]. apply N.leb_le in Q2.
-        destruct (piece_sound Q again (Hp Q Q1) q Q3) as [_ [UB _]].
-      apply upper_le with (N.to_nat U); [lia | now apply UB with w].
-    + intros n K. rewrite K in Hu. destruct (covered (at_least_in n) a b (pieces c)) eqn:C2; [|discriminate].
-      destruct (covered_sound _ _ _ _ C2 q Hq) as [Q [Q1 [Q2 Q3]]]. unfold at_least_in in Q2. apply N.leb_le in Q2.
-      apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q again (Hp Q Q1) q Q3)))].
-  - split; [discriminate|]. intros n K. rewrite K in Hu. destruct (covered (at_least_in n) a b (pieces c)) eqn:C2;
-    [|discriminate].
-    destruct (covered_sound _ _ _ _ C2 q Hq) as [Q [Q1 [Q2 Q3]]]. unfold at_least_in in Q2. apply N.leb_le in Q2.
-    apply lower_le with (N.to_nat (attained Q)); [lia | exact (proj2 (proj2 (piece_sound Q again (Hp Q Q1) q Q3)))].
+  intros Hab q Hq. destruct (asked_of_pieces a b Hab) as [C0 [C1 [C2 _]]]. destruct parts as [_ [_ [Hp _]]].
+  assert (One : forall good, covered good a b (pieces c) = true -> exists P, good P = true /\ 1 <= q /\
+    (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\ lower_bound q (N.to_nat (attained P))).
+  { intros good C. destruct (covered_sound _ _ _ _ C q Hq) as [P [P1 [P2 P3]]]. exists P. split; [exact P2|].
+    exact (piece_sound P again (Hp P P1) q P3). }
+  destruct (One _ C0) as [_ [_ [Q1 _]]]. split; [exact Q1|]. split.
+  - intros n K. rewrite K in C1. destruct (One _ C1) as [P [P2 [_ [U _]]]]. unfold at_most_in in P2.
+    destruct (bound P) as [[u w]|]; [|discriminate]. apply N.leb_le in P2.
+    apply upper_le with (N.to_nat u); [lia | now apply U with w].
+  - intros n K. rewrite K in C2. destruct (One _ C2) as [P [P2 [_ [_ L]]]]. unfold at_least_in in P2. apply N.leb_le in P2.
+    apply lower_le with (N.to_nat (attained P)); [lia | exact L].
 Qed.
 
 Lemma greatest_ge l : forall u U, fold_left (fun u P => match u, bound P with Some u, Some (v, _) =>
@@ -155,18 +163,5 @@ Proof.
   - intros U H. destruct (greatest_ge _ _ _ H) as [_ HL]. destruct (HL P P1) as [V [w [EB LE]]].
     apply upper_le with (N.to_nat V); [lia | now apply PU with w].
   - apply lower_le with (N.to_nat (attained P)); [|exact PL]. assert (K := least_le _ _ P1). lia.
-Qed.
-
-(** N(q) exists and lies between the two bounds of its piece. *)
-Theorem range_N q : ratio_value (range_from c) <= q <= ratio_value (range_to c) ->
-  exists P n, In P (pieces c) /\ in_piece P q /\ N_star q n /\ (N.to_nat (attained P) <= n)%nat /\
-    (forall U w, bound P = Some (U, w) -> (n <= N.to_nat U)%nat).
-Proof.
-  intros Hq. destruct (range_sound q Hq) as [P [P1 [P2 [Q1 [PU PL]]]]]. destruct (N_exists q Q1) as [n [[NU NL] _]].
-  exists P, n. split; [exact P1|]. split; [exact P2|]. split; [now split|].
-    destruct (unit_real q ltac:(lra)) as [D1 D2]. split.
-  - destruct (PL _ D1 D2) as [p [Hm [s [A1 [A2 A3]]]]]. rewrite <- A2. exact (NU _ p D1 D2 Hm s A1 A3).
-  - intros U w HU. destruct (NL _ D1 D2) as [p [Hm [s [A1 [A2 A3]]]]]. rewrite <- A2.
-    exact (PU U w HU _ p D1 D2 Hm s A1 A3).
 Qed.
 End Certificate.

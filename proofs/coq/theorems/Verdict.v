@@ -1,7 +1,7 @@
 (** The whole way from the lines of a file to two masses and a floor: what it means that the checker answers
   `Verified`. *)
 From Coq Require Import Reals ZArith NArith List Lra String.
-From Dumbbell Require Import Physics Certificate Check Text Reader Piece Range.
+From Dumbbell Require Import Physics Certificate Check Text Reader Piece Range AtMostOnce KnownButInGaps.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -9,22 +9,26 @@ Local Open Scope R_scope.
 Record proved (d : demand) (c : certificate) : Prop := {
   whole_range : forall q, ratio_value (range_from c) <= q <= ratio_value (range_to c) ->
     (forall U, greatest (pieces c) = Some U -> upper_bound q (N.to_nat U)) /\ lower_bound q (N.to_nat (least (pieces
-      c)));
+      c))) /\ (says_heavy_once c = true -> heavy_once q);
   each_piece : forall P, In P (pieces c) -> forall q, in_piece P q ->
     (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\ lower_bound q (N.to_nat (attained P));
   as_asked : forall q, ratio_value (fst (range_asked d c)) <= q <= ratio_value (snd (range_asked d c)) ->
     (forall n, asked_most d = Some n -> upper_bound q (N.to_nat n)) /\ (forall n, asked_least d = Some n ->
-      lower_bound q (N.to_nat n)) }.
+      lower_bound q (N.to_nat n)) /\ (asked_once d = true -> heavy_once q);
+  gaps_as_asked : known_as_asked d (pieces c) (ratio_value (fst (range_asked d c))) (ratio_value (snd (range_asked d c))) }.
 
 Theorem fault_none again d c : certificate_fault again d c = None -> proved d c.
 Proof.
-  intros H. split.
-  - intros q Hq. now apply (summary_sound again d c H).
-  - intros P HP q Hq. apply (piece_sound P again); [|exact Hq]. unfold certificate_fault in H. destruct (joined _ _ _);
-    [|discriminate]. simpl in H.
-    destruct (pieces c) as [|Q l] eqn:E; [easy|]. destruct (first_fault again 1 (Q :: l)) eqn:F; [discriminate|].
-      now apply first_fault_none with (2 := HP) (n := 1%N).
-  - intros q Hq. destruct (range_asked d c) as [a b] eqn:E. now apply (demand_sound again d c H a b E q Hq).
+  intros H. destruct (parts again d c H) as [_ [_ [Hp _]]].
+  assert (Sound : forall P, In P (pieces c) -> forall q, in_piece P q -> _) by (intros P HP; exact (piece_sound P again (Hp P HP))).
+  split.
+  - intros q Hq. destruct (range_sound again d c H q Hq) as [_ [_ [_ [Q1 _]]]].
+    destruct (summary_sound again d c H q Hq) as [U L]. repeat split; [exact U | exact L | intros _; now apply always_once].
+  - intros P HP q Hq. apply (Sound P HP q Hq).
+  - intros q Hq. destruct (range_asked d c) as [a b] eqn:E. destruct (demand_sound again d c H a b E q Hq) as [Q1 [U L]].
+    repeat split; [exact U | exact L | intros _; now apply always_once].
+  - destruct (range_asked d c) as [a b] eqn:E. intros A. apply gaps_sound; [exact Sound | | exact A].
+    now apply (asked_of_pieces again d c H a b E).
 Qed.
 
 (** A certificate in parts, each of which the kernel has checked by itself. *)
@@ -65,11 +69,12 @@ Definition q_10 : certificate := {| program := "dumbbell"; program_version := "0
   pieces := [{| from := ten; to := ten; bits := 53; bound := Some (4%N, Charts (one_leaf 1 2) (one_leaf 1 1));
     attained := 4;
     witness := Some {| contact_e := half; contact_eta := half; after_X := 1; after_reversed := 2 |} |}] |}.
-Definition nothing_asked : demand := {| asked_range := None; asked_most := None; asked_least := None |}.
+Definition nothing_asked : demand := {| asked_range := None; asked_most := None; asked_least := None;
+  asked_gap := None; asked_gaps := None; asked_once := false |}.
 Lemma q_10_accepted : certificate_fault true nothing_asked q_10 = None.
 Proof. vm_cast_no_check (eq_refl (@None string)). Qed.
 Theorem N_of_10 : N_star 10 4.
 Proof.
-  destruct (whole_range _ _ (fault_none _ _ _ q_10_accepted) 10) as [A B]; [unfold ratio_value; simpl; lra|].
+  destruct (whole_range _ _ (fault_none _ _ _ q_10_accepted) 10) as [A [B _]]; [unfold ratio_value; simpl; lra|].
     split; [exact (A 4%N eq_refl) | exact B].
 Qed.

@@ -36,7 +36,7 @@ JUDGED = [[b"lemmas " + lemmas, b"scene dumbbell", b"section " + section]
           for lemmas, section in ((b"1", b"turning"), (b"1", b"full"), (b"minimal", b"full"))]
 CODES = {"VERIFIED": 0, "REJECTED": 1, "UNREADABLE": 2, "UNSUPPORTED": 3, "LIMIT": 4, "OPEN": 3}
 RIGHT = ("s VERIFIED ", "s OPEN ")
-UNKNOWN = ("--gap", "--gaps", "--heavy-at-most", "--coin", "--rho", "--inertia", "--scene", "--claim")  # to the proved checker
+UNKNOWN = ("--coin", "--rho", "--inertia", "--scene", "--claim")  # to the proved checker
 
 
 def verdict(options, path):
@@ -110,10 +110,8 @@ class Agreement(unittest.TestCase):
             path = PROJECT / "certificates" / name
             if name.startswith("#") or not is_judged(path) or (small != "yes" and SCALE == 1):
                 continue
-            options = re.sub(" --(gaps?|heavy-at-most) [^ ]*", "", claim).split()
-            theirs = verdict(options, path)
-            ours = self.same(options, [path], [theirs])
-            self.assertEqual(ours[0], theirs)
+            theirs = verdict(claim.split(), path)
+            self.assertEqual(self.same(claim.split(), [path], [theirs]), [theirs])
             tried += 1
         self.assertGreater(tried, 5)
 
@@ -172,6 +170,8 @@ class Agreement(unittest.TestCase):
                 paths.append(path)
         theirs = [verdict([], path) for path in paths]
         self.assertEqual(self.same([], paths, theirs), theirs)
+        gaps = ["--gap", "1e-6", "--gaps", "1"]
+        self.same(gaps, paths, [verdict(gaps, path) for path in paths])
         return len(paths)
 
     def test_fresh(self):
@@ -265,11 +265,18 @@ class Agreement(unittest.TestCase):
                 self.assertEqual(proved([], [path])[0][0], code, changed[place][:60])
 
     def test_asked(self):
-        """Counts that are asked for have as many digits as the verifier takes."""
-        path = PROJECT / "certificates/q-10.dbc"
-        for option, digits, code in (("--max", 2100, 0), ("--max", 2101, 2), ("--min", 2100, 1), ("--exactly", 2100, 1)):
-            options = [option, "9" * digits]
-            self.assertEqual([verdict(options, path)[0], proved(options, [path])[0][0]], [code, code], option)
+        """What is asked has the verifier's answer: counts of as many digits as it takes; gaps as they are, a little narrower, or one fewer."""
+        nines = "9" * 2100
+        for code, name, *asked in (
+                (0, "q-10.dbc", f"--max {nines}", "--gap 0 --gaps 0"), (1, "q-10.dbc", f"--min {nines}", f"--exactly {nines}", "--heavy-at-most 1"),
+                (2, "q-10.dbc", f"--max {nines}9", "--gap 1", "--gap x", "--gap 0/0", "--gap 1/0", "--gap -1/9"),
+                (0, "stairs-1-100.dbc", "--gap 1e-6 --gaps 8", "--ratio 4.6033388:4.7 --gaps 1", "--ratio 1/11:1/10 --gap 0 --gaps 0"),
+                (1, "stairs-1-100.dbc", "--gap 0.999999999e-6", "--gaps 7", "--gap 0", "--ratio 4.603338848751701 --gap 1/2")):
+            path = PROJECT / "certificates" / name
+            for options in map(str.split, asked):
+                self.assertEqual([verdict(options, path)[0], proved(options, [path])[0][0]], [code, code], options)
+        for option in UNKNOWN:
+            self.assertIn(f"knows no {option}: leave it out", proved([option], ["any"])[0][1])
 
 
 if __name__ == "__main__":
