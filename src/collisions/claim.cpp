@@ -25,15 +25,13 @@ std::string body_text(const Claim& claim) {
                              spelled(claim.range.lo, claim.range.hi));
 }
 
-/// `--scene wedge `: nothing for the dumbbell.
-std::string scene_text(const Claim& claim) {
-    const SectionRow& row = row_of(claim.system.section);
-    return row.scene == row_of(Section()).scene ? "" : fmt::format("--scene {} ", row.scene);
-}
-
 std::string system_text(const Claim& claim) {
-    return !claim.system.rho ? scene_text(claim) + "--ratio " + spelled(claim.range.lo, claim.range.hi)
-                             : (claim.rod ? "--ratio " : "") + body_text(claim);
+    if (claim.system.rho) {
+        return (claim.rod ? "--ratio " : "") + body_text(claim);
+    }
+    const std::string_view scene = row_of(claim.system.section).scene;
+    return (scene == row_of(Section()).scene ? "" : fmt::format("--scene {} ", scene)) + "--ratio " +
+           spelled(claim.range.lo, claim.range.hi);
 }
 
 bool has_upper(const Piece* piece) { return piece->upper.has_value(); }
@@ -92,16 +90,18 @@ std::vector<const Piece*> pieces_of(const Certificate& certificate) {
     return pieces;
 }
 
+std::string options_of(const Claim& claim) {
+    const SectionRow &row = row_of(claim.system.section), &usual = row_of(Section());
+    const bool says_gap = claim.gap != 0 && claim.gap != Claim{}.gap;
+    return (claim.system.rho || row.scene == usual.scene ? "" : fmt::format(" --scene {}", row.scene)) +
+           (claim.system.rho || row.section == usual.section ? ""
+                                                             : fmt::format(" --section {}", row.section)) +
+           (says_gap ? " --gap " + exact_text(claim.gap) : "");
+}
+
 std::string command(const Claim& claim) {
-    const SectionRow& row = row_of(claim.system.section);
-    const bool has_section = !claim.system.rho && row.section != row_of(Section()).section;
-    return fmt::format(
-        "dumbbell certify {}{}{}",
-        claim.system.rho ? body_text(claim) : scene_text(claim) + spelled(claim.range.lo, claim.range.hi),
-        has_section ? fmt::format(" --section {}", row.section) : "",
-        claim.range.is_single() || claim.gap == 0 || claim.gap == Claim{}.gap
-            ? ""
-            : fmt::format(" --gap {}", exact_text(claim.gap)));
+    const auto& [lo, hi] = claim.range;
+    return "dumbbell certify " + (claim.system.rho ? body_text(claim) : spelled(lo, hi)) + options_of(claim);
 }
 
 bool heavy_at_most_once(const Claim& claim, const std::vector<const Piece*>& pieces) {

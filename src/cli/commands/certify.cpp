@@ -234,7 +234,7 @@ int run_certify(const Given& given) {
             [&](const RatioArgument& ratio, const std::string& out) {
                 return certify_line(given, ratio, out);
             },
-            fmt::format("dumbbell {} {}", DUMBBELL_VERSION, command(request.claim)));
+            fmt::format("dumbbell {} certify --list{}", DUMBBELL_VERSION, options_of(request.claim)));
     }
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
