@@ -161,7 +161,7 @@ def cover(lines, section, a, b, upper, bits, judge):
             raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
         judge(lambda: section.leaf(chart, op, values, box), ends(box), bits, lines.wrong(op, "not certified"))
 
-    for number, chart in enumerate(section.CHARTS):
+    for number, chart in enumerate(section.LEAVES):
         fields = lines.next()
         if number == 0 and fields[0] != "chart":
             op = fields[0]
