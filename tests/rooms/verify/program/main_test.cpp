@@ -310,6 +310,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
     CHECK(make::has(run("--version"), ", flags: "));
     CHECK(run("-h").out == run("--help").out);
+    CHECK(make::has(run("--man"), "\\fB\\-\\-ratio\\fR \\fIRATIO|LO:HI\\fR\n"));
     CHECK(run("-V").out == run("--version").out);
     for (const std::string& arguments :
          {file.path(), file.path() + " " + file.path(), "--json " + file.path(), std::string("--help"),
