@@ -57,8 +57,8 @@ endif()
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.bib CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES src/verify/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-# Made by the target `pages`, one of ALL; a build of the programs alone has none.
+# Made by the targets `verifier_page` and `pages`, two of ALL; a build of the programs alone has none.
+install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 if(NOT DUMBBELL_VERIFIER_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
   foreach(command dumbbell dumbbell-verify)  # completions are found by the command's name

@@ -1,12 +1,12 @@
-"""Scene body: format-sections.md, section 4; lemmas L71 to L75. States are carried as intervals."""
+"""Scene body: format-sections.md, section 4; lemmas L71 to L75. States are carried as intervals, in the section plain, too (L16)."""
 
 from collections import namedtuple
 
 from failure import Limit
-from fixed import greatest, half_pi, interval, least, meet, pi, sin_cos, span, square
-from full import below_time, root, steep_time
-from plain import new_slope, returning, wall
-from rays import earliest, latest
+import full
+from fixed import Undecided, greatest, half_pi, hull, interval, least, meet, pi, sin_cos, span, square
+from full import below_time, steep_time
+from rays import earliest, latest, off_bridge, reflected
 from work import spend
 
 MOST_FLIGHTS, MOST_IN_CORNER = 100_000, 10_000
@@ -20,14 +20,59 @@ def over_corner(flight):
     return flight.sine + flight.kappa * (flight.x + pi())
 
 
+def returning(slope):
+    """Slopes that may come back: at most 1 (L3); None if there are none."""
+    return None if slope is None or slope >= 1 else least(slope, 1)
+
+
+def quotient(top, bottom):
+    """Encloses those slopes top / bottom whose bottom is positive, but none above 1 if others may not be; None if there are none."""
+    if bottom <= 0:
+        return None
+    if bottom > 0:
+        return top / bottom
+    if not top > 0:
+        raise Undecided("a direction")
+    flattest = top.lower() / bottom.upper()
+    return span(flattest, greatest(flattest, 1))
+
+
+def new_slope(w, kappa, r):
+    """Encloses the slopes after a light wall that may come back; None if it is certain that none does."""
+    top, d = reflected(w, kappa, r)
+    d = meet(d, w * (w - 2 * kappa) - r)
+    slope = quotient(meet(top, kappa * (square(w) - r) + 2 * r * w), d)
+    if w > 0 and d > 0:
+        a = (w - r / w) / 2
+        if a > kappa:
+            slope = meet(slope, (square(a) + r) / (a - kappa) - a)
+            slope = meet(slope, kappa + (r + square(kappa)) / (a - kappa))
+    return returning(slope)
+
+
+def wall(c, kappa, r):
+    """One flight to a light wall: None if all rays certainly miss, else what encloses x, sin x and the new slopes (or None) of
+    those that do not."""
+    c = greatest(c, 0)
+    x_low = earliest(c.lower(), kappa.lower())
+    if x_low is None:
+        return None
+    x_high = latest(c.upper(), kappa.upper())
+    x = span(x_low, half_pi() if x_high is None else x_high)
+    sine, w = sin_cos(x)
+    w = greatest(w, greatest(kappa.lower(), 0)) if x_high is None else w
+    return x, sine, new_slope(w, kappa, r)
+
+
 class Body:
-    """The intervals r, rho and g of a box."""
+    """The intervals r, rho and g of a box; without rho it is about the dumbbell, and rho = r."""
 
     def __init__(self, q, rho):
-        self.r = span(interval(1 / q[1]), interval(1 / q[0]))
-        self.rho = span(interval(rho[0]), interval(rho[1]))
-        self.g = span(interval(1 / (q[1] * rho[1])), interval(1 / (q[0] * rho[0])))
-        self.massless = q[0] * rho[0] == q[1] * rho[1] == 1  # of no range, as both grow
+        self.r = hull(1 / q[1], 1 / q[0])
+        self.rho, self.g, self.massless = self.r, interval(1), True
+        if rho:
+            self.rho, self.g = hull(*rho), hull(1 / (q[1] * rho[1]), 1 / (q[0] * rho[0]))
+            self.massless = q[0] * rho[0] == q[1] * rho[1] == 1  # of no range, as both grow
 
     def contacts(self, flight):
         """Encloses the first contacts with the bridge of departures, and says whether all have one; None if none has."""
@@ -40,31 +85,16 @@ class Body:
         last = last if below is None else least(last, below)
         return span(first, greatest(last, first)), below is not None
 
-    def behind_bridge(self, t, kappa):
-        """E and P at the contacts t."""
-        s = sin_cos(t)[1]
-        fall = self.rho * square(s)
-        turn = 2 * self.r * s
-        return self.g + 2 * s * kappa - fall, meet(turn - kappa * (self.g - fall), turn - kappa * self.g + kappa * fall)
-
-    def ray(self, t, slope, side):
-        """From the contacts t: to the left (side = 1), or to the right (-1)."""
-        return Flight(slope, self.rho * sin_cos(t)[0] + slope * (pi() - t if side > 0 else t))
+    def ray(self, sine, steepness, away):
+        """From a contact with the bridge, whose end is so far away."""
+        return Flight(self.rho * steepness, self.rho * (sine + steepness * away))
 
     def rays(self, t, kappa):
-        """All that may come back from the contacts t of flights of slope kappa; None if that is not known."""
-        e, p = self.behind_bridge(t, kappa)
-        found = []
-        for side in (1, -1):
-            speed = side * e
-            if speed <= 0:
-                continue
-            if not speed > 0 and not p > 0:
-                return None
-            slope = p / speed if speed > 0 else span(p.lower() / speed.upper(), greatest(p.lower() / speed.upper(), 1))
-            if not slope >= 1:
-                found.append(self.ray(t, slope, side))
-        return found
+        """All that may come back from the contacts t of flights of slope kappa, to the left or to the right."""
+        sine, s = sin_cos(t)
+        e, p = off_bridge(s, kappa, self.r, self.rho, self.g)
+        slopes = (quotient(p, e), pi() - t), (quotient(p, -e), t)
+        return [Flight(slope, self.rho * sine + slope * away) for slope, away in slopes if slope is not None]
 
     def at_most(self, flight, limit, clear):
         """At most `limit` later collisions? `clear`: the bridge is out of reach."""
@@ -80,10 +110,9 @@ class Body:
                 flight = flight._replace(kappa=kappa)
                 met = None if clear or flight.c is not None else self.contacts(flight)
                 if met:
-                    rays = self.rays(met[0], kappa) if limit > 0 else None
-                    if rays is None:
+                    if limit == 0:
                         return False
-                    todo += [(ray, limit - 1, self.massless) for ray in rays]
+                    todo += [(ray, limit - 1, self.massless) for ray in self.rays(met[0], kappa)]
                     if met[1]:
                         break
                 hit = wall(over_corner(flight) if flight.c is None else flight.c, kappa, self.r)
@@ -106,10 +135,10 @@ class Body:
                 if count == 1 or not met[1]:
                     return met[1]
                 count -= 1
-                e, p = self.behind_bridge(met[0], kappa)
-                if not (e > 0 or e < 0):
+                rays = self.rays(met[0], kappa)
+                if len(rays) != 1 or not rays[0].kappa < 1:  # at 1 it may have been cut
                     return False
-                flight = self.ray(met[0], p / e if e > 0 else p / -e, 1 if e > 0 else -1)
+                flight, = rays
                 continue
             c = over_corner(flight) if flight.c is None else flight.c
             if flight.c is None and not c > 0:
@@ -145,40 +174,38 @@ def corner_has(count, rho, q):
     return True
 
 
+def states_at_most(chart, box, limit):
+    """At most `limit` later collisions of all states of the box?"""
+    body, eta, end = Body(box["q"], box.get("rho")), hull(*box["eta"]), pi() if chart == "contact" else half_pi()
+    place = hull(*(least(number, end) for number in box["t" if chart == "contact" else "e"]))
+    sine, cosine = sin_cos(place)
+    if chart == "contact":
+        return body.at_most(body.ray(sine, cosine + eta, pi() - place), limit, body.massless)
+    return body.at_most(Flight(eta - cosine, None, place, sine), limit, False)
+
+
+def leaf(chart, op, hints, box):
+    return full.leaf(chart, op, hints, box, states_at_most)
+
+
 class Bodies:
     """The section, for all bodies with rho in [R0, R1]."""
 
-    CHARTS = {"contact": ("t", "eta", "q", "rho"), "departure": ("e", "eta", "q", "rho")}
-    LEAVES = {"contact": {"count": 1, "outside": 0}, "departure": {"count": 1, "outside": 0}}
+    leaf = staticmethod(leaf)
+
+    LEAVES = {chart: full.LEAVES[chart] for chart in ("contact", "departure")}
+
     def __init__(self, rho):
         self.rho = rho
         self.COVERS = {"symmetric": self.symmetric}
         self.WITNESSES = {"bridge": self.from_bridge, "corner": self.in_corner}
 
     def root(self, chart, b):
-        return {**root(chart, b), "rho": self.rho}
+        return {**full.root(chart, b), "rho": self.rho}
 
     def symmetric(self, a, b, upper):
         return self.rho == (1, 1) and not corner_has(upper + 1, self.rho[1], b)
 
-    def leaf(self, chart, op, hints, box):
-        eta0, eta1 = box["eta"]
-        eta = span(interval(eta0), interval(eta1))
-        if chart == "contact":
-            t0, t1 = box["t"]
-            if op == "outside":
-                return interval(t0) > pi() or box["rho"][0] * (eta0 - 1) >= 1
-            t = span(least(t0, pi()), least(t1, pi()))
-            sine, cosine = sin_cos(t)
-            body = Body(box["q"], box["rho"])
-            ray = Flight(body.rho * (cosine + eta), body.rho * (sine + (cosine + eta) * (pi() - t)))
-            return body.at_most(ray, hints[0], body.massless)
-        e0, e1 = box["e"]
-        if op == "outside":
-            return interval(e0) > half_pi() or eta0 - sin_cos(interval(e0))[1] >= 1
-        e = span(least(e0, half_pi()), least(e1, half_pi()))
-        sine, cosine = sin_cos(e)
-        return Body(box["q"], box["rho"]).at_most(Flight(eta - cosine, None, e, sine), hints[0], False)
 
     def from_bridge(self, values, q_lo, q_hi):
         exact_e, exact_eta, a, b = values
@@ -188,9 +215,8 @@ class Bodies:
         sine, s = sin_cos(e)
         big_r = square(body.rho) / body.r
         base = 1 + big_r * square(s)
-        forward, backward = s + eta, eta * base / (base + 2 * big_r * s * eta) - s
-        return (body.at_least(Flight(body.rho * forward, body.rho * (sine + forward * (pi() - e))), a)
-                and body.at_least(Flight(body.rho * backward, body.rho * (sine + backward * e)), b))
+        before = eta * base / (base + 2 * big_r * s * eta)
+        return body.at_least(body.ray(sine, s + eta, pi() - e), a) and body.at_least(body.ray(sine, before - s, e), b)
 
     def in_corner(self, values, q_lo, _q_hi):
         return values[0] == values[1] == values[3] == 0 and corner_has(1 + values[2], self.rho[0], q_lo)

@@ -27,9 +27,15 @@ class Staircase:
 
     def __init__(self, scene, rho, heavy_once, pieces, source):
         self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
+        self.parts = pieces  # of several files, with no ratios in question: those of a file about a single ratio as one
         self.low, self.high = pieces[0][0], pieces[-1][1]
         self.open = sum(u is None or u > v + 1 for _, _, u, v in pieces)
         self.heavy_once = heavy_once and all(u is not None for _, _, u, _ in pieces)
+
+    def whole(self):
+        """The pieces, those about a single ratio as one."""
+        low, high = self.low, self.high
+        return [(low, high, *gaps.asked(self.pieces, low, high)[0])] if low == high else self.pieces
 
     def text(self, demand):
         uppers, lowers = [piece[2] for piece in self.pieces], [piece[3] for piece in self.pieces]
@@ -59,7 +65,7 @@ class Staircase:
         if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
             return f"not proved: at least {least} collisions{where}"
         width, number = demand["gap"], demand["gaps"]
-        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.pieces, low, high, width, number):
+        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.parts, low, high, width, number):
             return (f"not proved: the greatest number itself{where}, but in gaps"
                     f"{'' if width is None else f' of relative width {ratio_text(width)}'}"
                     f"{'' if number is None else f', at most {number}'}")
@@ -71,11 +77,7 @@ class Staircase:
         """No bound is demanded, and none is proved for all mass ratios in question."""
         if demand["max"] is not None or demand["min"] is not None:
             return False
-        low, high = demand.ratios(self.low, self.high)
-        if low == high:
-            return all(u is None and v == 0 for a, b, u, v in self.pieces if a <= low <= b)
-        # What has no more than an end in common with them says nothing of them that its neighbour does not.
-        asked = [(u, v) for a, b, u, v in self.pieces if (a <= high and b >= low if a == b else a < high and b > low)]
+        asked = gaps.asked(self.parts, *demand.ratios(self.low, self.high))
         return any(u is None for u, _ in asked) and any(v == 0 for _, v in asked)
 
 
@@ -161,7 +163,7 @@ def cover(lines, section, a, b, upper, bits, judge):
             raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
         judge(lambda: section.leaf(chart, op, values, box), ends(box), bits, lines.wrong(op, "not certified"))
 
-    for number, chart in enumerate(section.CHARTS):
+    for number, chart in enumerate(section.LEAVES):
         fields = lines.next()
         if number == 0 and fields[0] != "chart":
             op = fields[0]

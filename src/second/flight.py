@@ -1,7 +1,7 @@
 """The first reflection of a box of states, and bounds of the number of collisions after it: format-initial.md, 5 and 6."""
 
 from fixed import Undecided, greatest, half_pi, hull, interval, meet, pi, sin_cos, span, square
-from rays import earliest, greatest_count, latest, least_count, misses, reflected
+from rays import earliest, greatest_count, latest, least_count, misses, off_bridge, reflected
 
 GREATEST_STEPS, GREATEST_LATE_STEPS, GREATEST_BOUND = 1000, 64, 10 ** 6
 
@@ -93,14 +93,9 @@ class Rays:
             raise Undecided("the next collision")
         x = self._contact(self.a / r, k / r, pi())
         sine, w = sin_cos(x)
-
-        def denominator(at_w, at_k):
-            return 1 - r * square(at_w) + 2 * at_k * at_w
-
-        d = denominator(w, k)
-        onward = sign(d, "the direction behind the bridge")
-        slope = hull(*((2 * r * at_w - at_k * (1 - r * square(at_w))) / (denominator(at_w, at_k) * onward)
-                       for at_w, at_k in ((w.lower(), k.upper()), (w.upper(), k.lower()))))
+        onward = sign(off_bridge(w, k, r)[0], "the direction behind the bridge")
+        ends = [off_bridge(at_w, at_k, r) for at_w, at_k in ((w.lower(), k.upper()), (w.upper(), k.lower()))]
+        slope = hull(*(p / (e * onward) for e, p in ends))
         return Rays("bridge", r * sine + slope * (pi() - x if onward > 0 else x), slope, r)
 
 
@@ -153,11 +148,9 @@ def first_reflection(air, mass, times):
 
     def direction(m, c):
         """D and P."""
-        base = r - square(c) if mass == "light" else 1 - r * square(c)
-        side = 1 if mass == "light" else -1
-        if falls:
-            return m * base + 2 * side * c, base - 2 * side * r * c * m
-        return base - 2 * side * m * c, -m * base - 2 * side * r * c
+        turning, rising = (m, -1) if falls else (1, m)
+        base, side = (r - square(c), 1) if mass == "light" else (1 - r * square(c), -1)
+        return turning * base - 2 * side * rising * c, -rising * base - 2 * side * r * turning * c
 
     d, p = direction(steepness, c)
     d, p = turn * d, turn * p

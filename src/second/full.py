@@ -6,9 +6,8 @@ from fractions import Fraction
 from fixed import greatest, half_pi, interval, least, pi, sin_cos
 from rays import at_most, earliest, latest, reflected, slope_above
 from turning import COVERS, WITNESSES  # this section's own, too
-from turning import low_ray_at_most, power_of_two
+from turning import bridge_ray_at_most, power_of_two
 
-CHARTS = {"contact": ("t", "eta", "q"), "departure": ("e", "eta", "q"), "again": ("t", "eta", "q")}
 LEAVES = {
     "contact": {"count": 1, "outside": 0},
     "departure": {"count": 1, "outside": 0},
@@ -23,17 +22,12 @@ def root(chart, b):
 
 
 def is_outside(chart, box):
-    eta0, q1 = box["eta"][0], box["q"][1]
+    eta0 = box["eta"][0]
     if chart == "departure":
         e0 = interval(box["e"][0])
         return e0 > half_pi() or eta0 - sin_cos(e0)[1] >= 1
-    return interval(box["t"][0]) > pi() or eta0 - 1 >= q1
-
-
-def tangent_at_most(t, r_lo, limit):
-    """At most `limit` collisions of the ray that leaves the bridge along its tangent at t, and of all rays above it."""
-    sine, cosine = sin_cos(t)
-    return limit >= 0 and low_ray_at_most(sine + cosine * (pi() - t), cosine, r_lo, limit)
+    rho = box["rho"][0] if "rho" in box else 1 / box["q"][1]
+    return interval(box["t"][0]) > pi() or rho * (eta0 - 1) >= 1
 
 
 def clears_bridge(h, kappa, r_hi):
@@ -86,7 +80,7 @@ def departure_at_most(box, limit):
         if not clears_bridge((sine + kappa * x).lower(), kappa, r_hi):
             below = below_time((sine_high + kappa_high * x_high).upper(), kappa_high, r_lo)
             t = steep_time(kappa, r_lo, r_hi)
-            if not tangent_at_most(t if below is None or t < below else below, r_lo, limit - n - 1):
+            if not bridge_ray_at_most(t if below is None or t < below else below, 0, r_lo, limit - n - 1):
                 return False
             if below is not None:
                 return True
@@ -129,15 +123,16 @@ def once(box):
     return f >= 0 or (2 + eta1) * f + (z + r_lo) / 2 >= 0
 
 
-def contact_at_most(box, limit):
-    eta0, r_lo, t = box["eta"][0], interval(1 / box["q"][1]), least(box["t"][1], pi())
-    sine, cosine = sin_cos(t)
-    return low_ray_at_most(sine + (cosine + eta0) * (pi() - t), cosine + eta0, r_lo, limit)
+def rays_at_most(chart, box, limit):
+    if chart == "contact":
+        return bridge_ray_at_most(least(box["t"][1], pi()), box["eta"][0], interval(1 / box["q"][1]), limit)
+    return departure_at_most(box, limit)
 
 
-def leaf(chart, op, hints, box):
+def leaf(chart, op, hints, box, count=rays_at_most):
+    """Sections differ in how they certify that from no state of a box there are more collisions than a leaf `count` says."""
     if op == "outside":
         return is_outside(chart, box)
     if op == "once":
         return once(box)
-    return (contact_at_most if chart == "contact" else departure_at_most)(box, hints[0])
+    return count(chart, box, hints[0])

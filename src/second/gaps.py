@@ -31,13 +31,20 @@ def widest_text(pieces, low, high):
     return f" widest-gap={digits.replace('+', '')}"
 
 
+def asked(pieces, low, high):
+    """U and V of the pieces that say something of [low, high]; of a single ratio the best of all."""
+    if low < high:  # what has no more than an end in common with it says nothing that its neighbour does not
+        return [(u, v) for a, b, u, v in pieces if (a < high and b > low if a < b else low <= a <= high)]
+    bounds = [(u, v) for a, b, u, v in pieces if a <= low <= b]
+    return [(min((u for u, _ in bounds if u is not None), default=None), max(v for _, v in bounds))]
+
+
 def is_known_but_in_gaps(pieces, low, high, width, number):
     """Is N known in [low, high], but in gaps of at most this relative width, or so many (None: any), where it is one of two
     neighbours?"""
+    bounds = asked(pieces, low, high)
     if low == high:
-        bounds = [(u, v) for a, b, u, v in pieces if a <= low <= b]
-        return min((u for u, _ in bounds if u is not None), default=None) == max(v for _, v in bounds)
-    asked = [(u, v) for a, b, u, v in pieces if (a < high and b > low if a < b else low <= a <= high)]
+        return bounds[0][0] == bounds[0][1]
     found = gaps_in(pieces, low, high)
-    return (all(u is not None and u <= v + 1 for u, v in asked)
+    return (all(u is not None and u <= v + 1 for u, v in bounds)
             and (width is None or found[0] <= width) and (number is None or found[1] <= number))

@@ -3,7 +3,7 @@
 import itertools
 import math
 
-from fixed import Undecided, half_pi, interval, pi, point, precision, sin_cos
+from fixed import Undecided, half_pi, interval, meet, pi, point, precision, sin_cos, square
 
 
 def _guess(c, kappa, end):
@@ -120,6 +120,13 @@ def reflected(w, kappa, r):
     """Encloses the numerator and the denominator D of the new slope (2)."""
     ww = w * w
     return kappa * ww + (w * 2 - kappa) * r, ww - kappa * w * 2 - r
+
+
+def off_bridge(s, kappa, r, rho=None, g=1):
+    """Encloses E and P: behind a contact with the bridge, of the cosine s, the slope is P/E to the left, -P/E to the right (L71).
+    For the dumbbell rho = r and g = 1."""
+    fall, turn = (r if rho is None else rho) * square(s), 2 * r * s
+    return g + 2 * s * kappa - fall, meet(turn - kappa * (g - fall), turn - kappa * g + kappa * fall)
 
 
 def slope_above(w, kappa, r):

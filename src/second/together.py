@@ -24,6 +24,8 @@ def together(files, demand):
                                        f"{name} begins at {ratio_text(proof.low)}")
         pieces += proof.pieces
     whole = Staircase(first.scene, first.rho, all(proof.heavy_once for _, proof in chain), pieces, f"files={len(files)}")
+    if not (demand["ratio"] or demand["inertia"]):
+        whole.parts = [part for _, proof in chain for part in proof.whole()]
     missing = whole.missing(demand)
     if missing:
         raise Rejected(0, "claim-not-proved", missing)

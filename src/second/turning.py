@@ -6,7 +6,6 @@ from fractions import Fraction
 from fixed import greatest, half_pi, interval, least, pi, sin_cos
 from rays import at_least, at_most
 
-CHARTS = {"bridge": ("e", "eta", "q"), "light": ("e", "lambda", "q")}
 LEAVES = {
     "bridge": {"count": 2, "outside": 0},
     "light": {"count": 2, "outside": 0, "meets": 0, "meets-reversed": 0},
@@ -19,7 +18,7 @@ def power_of_two(bound):
 
 def root(chart, b):
     """The root box but for q; b is the greatest mass ratio of the piece."""
-    return {"e": (Fraction(0), Fraction(2)), CHARTS[chart][1]: (Fraction(0), Fraction(power_of_two(b)))}
+    return {"e": (Fraction(0), Fraction(2)), "eta" if chart == "bridge" else "lambda": (Fraction(0), Fraction(power_of_two(b)))}
 
 
 def sigma_steepness(eta, s, r):
@@ -38,7 +37,13 @@ def bridge_sigma(e, eta, r):
 def low_ray_at_most(c, steepness, r, limit):
     """G <= limit for the rays (r' c, r' lambda) at all r' >= r, c and lambda at least the lower ends of these: section 3.5."""
     r = r.lower()
-    return at_most(r * greatest(c.lower(), 0), r * greatest(steepness.lower(), -1), r, limit)
+    return limit >= 0 and at_most(r * greatest(c.lower(), 0), r * greatest(steepness.lower(), -1), r, limit)
+
+
+def bridge_ray_at_most(t, eta, r_lo, limit):
+    """At most `limit` collisions of the rays that leave the bridge at t, by eta steeper than its tangent, and of all above them."""
+    sine, s = sin_cos(t)
+    return low_ray_at_most(sine + (s + eta) * (pi() - t), s + eta, r_lo, limit)
 
 
 def bridge_leaf(op, hints, box):
@@ -46,12 +51,7 @@ def bridge_leaf(op, hints, box):
     if op == "outside":
         return interval(e0) > half_pi() or eta0 >= q1
     r_lo, r_hi = interval(1 / q1), interval(1 / q0)
-    e = least(e1, half_pi())
-    sine, s = sin_cos(e)
-    steepness = s + eta0
-    if not low_ray_at_most(sine + steepness * (pi() - e), steepness, r_lo, hints[0]):
-        return False
-    return low_ray_at_most(*bridge_sigma(least(e0, half_pi()), interval(eta0), r_hi), r_lo, hints[1])
+    return bridge_ray_at_most(least(e1, half_pi()), eta0, r_lo, hints[0]) and low_ray_at_most(*bridge_sigma(least(e0, half_pi()), interval(eta0), r_hi), r_lo, hints[1])
 
 
 def comes_below_bridge(c, steepness, e):

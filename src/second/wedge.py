@@ -5,7 +5,6 @@ from fractions import Fraction
 from turning import power_of_two
 from work import spend
 
-CHARTS = {"wedge": ("lambda", "q")}
 LEAVES = {"wedge": {"count": 2, "outside": 0}}
 COVERS = {}
 

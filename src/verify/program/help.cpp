@@ -7,14 +7,13 @@
 namespace dumbbell_verify {
 namespace {
 
-constexpr std::string_view head = R"(usage: dumbbell-verify [options] FILE...
+constexpr std::string_view
+    usage = R"(dumbbell-verify [options] FILE...
        dumbbell-verify [options] --claims LIST
-Checks certificates (docs/reference/format.md) independently of the program that wrote them.
-
-)";
-
-constexpr std::string_view foot = R"(
-  dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
+)",
+    purpose = R"(Checks certificates (docs/reference/format.md) independently of the program that wrote them.
+)",
+    examples = R"(  dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
   dumbbell-verify --together --ratio 1:100 --max 10 part-*.dbc    do these files prove it together?
   dumbbell-verify ten.dbc                              what does this file prove?
@@ -25,11 +24,14 @@ constexpr std::string_view foot = R"(
   dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
   dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
-
-FILE `-` is the standard input. For one file, and with --together, a sentence says what is proved, and the last line is
+)",
+    verdicts =
+        R"(FILE `-` is the standard input. For one file, and with --together, a sentence says what is proved, and the last line is
 the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Without --together each of several
 files has one such line with its name, in the given order, and a line of totals ends them: c files=3 verified=2 ...
-Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no
+)",
+    exit_codes =
+        R"(Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no
 bound is proved for all that is in question); 4 resource limit. If files differ: the first of 1, 4, 3, 2, 0.
 )";
 
@@ -52,12 +54,42 @@ std::string entry(const Option& option) {
     return text + line + "\n";
 }
 
+/// Text as groff prints it unchanged: a minus is one that can be copied.
+std::string groff(std::string_view text) {
+    std::string page;
+    for (const char c : text)
+        page += c == '\\'   ? "\\e"
+                : c == '-'  ? "\\-"
+                : c == '^'  ? "\\(ha"
+                : c == '`'  ? "\\(ga"
+                : c == '\'' ? "\\(aq"
+                            : std::string(1, c);
+    return page;
+}
+
+std::string section(const std::string& name, std::string_view text, bool verbatim = false) {
+    return ".SH " + name + "\n" + (verbatim ? ".nf\n" + groff(text) + ".fi\n" : groff(text));
+}
+
 }  // namespace
 
 std::string help() {
-    std::string text(head);
+    std::string text = "usage: " + std::string(usage) + std::string(purpose) + "\n";
     for (const Option& option : option_table()) text += entry(option);
-    return text + std::string(foot);
+    for (const std::string_view part : {examples, verdicts}) text += "\n" + std::string(part);
+    return text + std::string(exit_codes);
+}
+
+std::string man_page() {
+    std::string page = ".TH DUMBBELL\\-VERIFY 1 \"\" \"dumbbell\" \"User Commands\"\n";
+    page += section("NAME", "dumbbell-verify - check certificates of the bouncing dumbbell independently\n");
+    page += section("SYNOPSIS", "       " + std::string(usage), true);
+    page += section("DESCRIPTION", purpose) + ".PP\n" + groff(verdicts) + ".SH OPTIONS\n";
+    for (const Option& option : option_table())
+        page += ".TP\n\\fB" + groff(option.name) + "\\fR \\fI" + groff(option.value) + "\\fR\n" +
+                groff(option.text) + "\n";
+    return page + section("EXIT STATUS", exit_codes) + section("EXAMPLES", examples, true) +
+           section("SEE ALSO", "dumbbell(1)\n");
 }
 
 }  // namespace dumbbell_verify

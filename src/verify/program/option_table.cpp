@@ -7,8 +7,6 @@
 namespace dumbbell_verify {
 namespace {
 
-void read_claim(Arguments& given, Asked& to) { claim_option(given, to.claim); }
-
 /// A name like that of no certificate, so that `--junit *.dbc` destroys none.
 void read_report(Arguments& given, Asked& to) {
     const std::string path = given.value();
@@ -20,73 +18,57 @@ void read_report(Arguments& given, Asked& to) {
 unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 4096)); }
 
 constexpr Option table[] = {
-    {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file",
-     read_claim},
-    {"--max", "N", "demand the proof that no trajectory has more than N collisions", read_claim},
-    {"--min", "N", "demand the proof that some trajectory has at least N collisions", read_claim},
-    {"--exactly", "N", "both", read_claim},
+    {"--ratio", "RATIO|LO:HI", "the mass ratios (heavy/light) in question; default: those of the file"},
+    {"--max", "N", "demand the proof that no trajectory has more than N collisions"},
+    {"--min", "N", "demand the proof that some trajectory has at least N collisions"},
+    {"--exactly", "N", "both"},
     {"--gap", "REL",
      "demand the proof of the greatest number itself, at every ratio in question but in gaps of at most this "
-     "relative width, in which it is one of two neighbouring numbers; gaps that touch are one",
-     read_claim},
-    {"--gaps", "N", "and that there are at most N of them", read_claim},
-    {"--heavy-at-most", "1", "demand the proof that the heavy mass hits the floor at most once", read_claim},
+     "relative width, in which it is one of two neighbouring numbers; gaps that touch are one"},
+    {"--gaps", "N", "and that there are at most N of them"},
+    {"--heavy-at-most", "1", "demand the proof that the heavy mass hits the floor at most once"},
     {"--inertia", "Q|LO:HI",
      "the bodies in question, rods with mass or the coin: their Q = (d1/k)^2. --max and the others are then "
-     "about these bodies, not about a mass ratio",
-     read_claim},
-    {"--rho", "RHO|LO:HI", "and their d2/d1, above 0 and at most 1", read_claim},
-    {"--coin", "", "the same as --rho 1 --inertia 4", read_claim},
+     "about these bodies, not about a mass ratio"},
+    {"--rho", "RHO|LO:HI", "and their d2/d1, above 0 and at most 1"},
+    {"--coin", "", "the same as --rho 1 --inertia 4"},
     {"--rod-mass", "MU",
-     "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends",
-     read_claim},
+     "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends"},
     {"--scene", "dumbbell|hybrid|wedge|body",
-     "demand this scene; default: what the other options state, dumbbell or body, else the file's",
-     read_claim},
+     "demand this scene; default: what the other options state, dumbbell or body, else the file's"},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
-     "--ratio, --max, --min and --exactly are then "
-     "about the starts in its box); incoming (the same for all incoming trajectories); adiabatic-bounce, "
-     "adiabatic-run or adiabatic-scattering (the adiabatic invariant), or law (all mass ratios)",
-     read_claim},
+     "--ratio, --max, --min and --exactly are then about the starts in its box); incoming (the same for all "
+     "incoming trajectories); adiabatic-bounce, adiabatic-run or adiabatic-scattering (the adiabatic "
+     "invariant), or law (all mass ratios)"},
     {"--phi", "A|LO:HI",
      "with --claim initial-conditions: the starts in question, a part of the file's box, in decimals or "
      "fractions such as -1/3:0.5; so --phidot, --y and --ydot. What is demanded of the numbers of collisions "
-     "must then follow from the boxes that this part has something in common with",
-     read_claim},
-    {"--phidot", "A|LO:HI", "the same", read_claim},
-    {"--y", "A|LO:HI", "the same", read_claim},
-    {"--ydot", "A|LO:HI", "the same", read_claim},
+     "must then follow from the boxes that this part has something in common with"},
+    {"--phidot", "A|LO:HI", "the same"},
+    {"--y", "A|LO:HI", "the same"},
+    {"--ydot", "A|LO:HI", "the same"},
     {"--decided", "SHARE",
      "with --claim initial-conditions or incoming: demand the exact number of collisions for at least this "
-     "share of the starts in question, from 0 to 1",
-     read_claim},
-    {"--delta", "A|LO:HI", "with --claim adiabatic-...: the delta in question, a part of the file's",
-     read_claim},
+     "share of the starts in question, from 0 to 1"},
+    {"--delta", "A|LO:HI", "with --claim adiabatic-...: the delta in question, a part of the file's"},
     {"--heights", "A|LO:HI",
-     "the heights in question, a part of the file's (adiabatic-bounce, adiabatic-run)", read_claim},
-    {"--margin", "M", "demand that the claim holds from this margin on, or a smaller one", read_claim},
-    {"--exponent", "E", "the exponent of the margin's power of delta, such as 1/2 (adiabatic-bounce)",
-     read_claim},
-    {"--constant", "C|C1,C2", "demand that the constants are at most these (C1,C2: adiabatic-bounce)",
-     read_claim},
+     "the heights in question, a part of the file's (adiabatic-bounce, adiabatic-run)"},
+    {"--margin", "M", "demand that the claim holds from this margin on, or a smaller one"},
+    {"--exponent", "E", "the exponent of the margin's power of delta, such as 1/2 (adiabatic-bounce)"},
+    {"--constant", "C|C1,C2", "demand that the constants are at most these (C1,C2: adiabatic-bounce)"},
     {"--attained", "B|B1,B2",
-     "demand states, within the delta, heights and margin in question, that attain at least these",
-     read_claim},
+     "demand states, within the delta, heights and margin in question, that attain at least these"},
     {"--claims", "LIST",
      "a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file (its "
-     "name "
-     "is relative to the list's folder), a tab, and some of the options above: at least --ratio and a "
+     "name is relative to the list's folder), a tab, and some of the options above: at least --ratio and a "
      "bound (of starts, or --decided), --delta and --constant, or --claim law alone. What follows another "
      "tab is a remark, as is a line that begins with #",
-     [](Arguments& given, Asked& to) { to.claims = given.value(); },
-     "--ratio --max --min --exactly --gap --gaps --heavy-at-most --inertia --rho --coin --rod-mass --scene "
-     "--claim --phi --phidot --y --ydot --decided --delta --heights --margin --exponent --constant "
-     "--attained"},
+     [](Arguments& given, Asked& to) { to.claims = given.value(); }},
     {"--together", "",
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and what is demanded is about all files as one. "
-     " The last line is the verdict on all",
+     "The last line is the verdict on all",
      [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
@@ -100,10 +82,9 @@ constexpr Option table[] = {
      [](Arguments& given, Asked& to) { to.settings.precision = bits(given); }},
     {"--explain", "PIECE:PATH",
      "show one leaf with its inequalities: 3:bridge is the root, 3:light.01 the upper half of its lower "
-     "half, "
-     "3:witness the witness of the third piece; box.01 a leaf of a file about initial conditions or the "
-     "adiabatic invariant, in which class0.01 is a leaf of the first class and attained1 the first attained "
-     "state; layer.01, bulk1.17 and end.17 boxes of a file about the law",
+     "half, 3:witness the witness of the third piece; box.01 a leaf of a file about initial conditions or "
+     "the adiabatic invariant, in which class0.01 is a leaf of the first class and attained1 the first "
+     "attained state; layer.01, bulk1.17 and end.17 boxes of a file about the law",
      [](Arguments& given, Asked& to) { to.settings.explain = given.value(); }, "--json --quiet"},
     {"--shares", "",
      "for one file about initial conditions: how likely each number of collisions is, as bounds of its share "
@@ -120,6 +101,8 @@ constexpr Option table[] = {
     {"--quiet", "", "print the last line only (or JSON), and show no progress",
      [](Arguments&, Asked& to) { to.options.quiet = true; }},
     {"-h, --help", "", "print this help and end", [](Arguments&, Asked& to) { to.options.answer = help(); }},
+    {"--man", "", "print the manual page and end",
+     [](Arguments&, Asked& to) { to.options.answer = man_page(); }},
     {"-V, --version", "", "print the version, the compiler and its flags, and end",
      [](Arguments&, Asked& to) { to.options.answer = "dumbbell-verify " + std::string(version) + "\n"; }},
 };

@@ -19,12 +19,14 @@ struct Asked {
     std::string claims;
 };
 
+inline void read_claim(Arguments& given, Asked& to) { claim_option(given, to.claim); }
+
 struct Option {
-    std::string_view name;                      ///< --out, or `-h, --help`
-    std::string_view value;                     ///< the name of its value; empty: it has none
-    std::string_view text;                      ///< what it means
-    void (*read)(Arguments& given, Asked& to);  ///< throws std::invalid_argument
-    std::string_view excludes{};                ///< options that cannot be given with it, with spaces between
+    std::string_view name;                                   ///< --out, or `-h, --help`
+    std::string_view value;                                  ///< the name of its value; empty: it has none
+    std::string_view text;                                   ///< what it means
+    void (*read)(Arguments& given, Asked& to) = read_claim;  ///< throws std::invalid_argument
+    std::string_view excludes{};  ///< options that cannot be given with it, with spaces between
 };
 
 std::span<const Option> option_table();

@@ -32,6 +32,9 @@ void require_fitting(const Arguments& given, const Asked& asked) {
     }
     const std::size_t files = asked.options.jobs.size();
     const bool is_list = given.seen("--claims");
+    if (is_list && !asked.claim.empty())
+        throw std::invalid_argument("--claims and " + asked.claim.begin()->first +
+                                    " exclude each other; see --help");
     if (is_list && files > 0) throw std::invalid_argument("--claims names the files: give no other FILE");
     for (const char* option : {"--shares", "--leaves"})
         if (given.seen(option) && files != 1)

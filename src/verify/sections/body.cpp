@@ -1,4 +1,6 @@
-// The scene body (format-sections.md, section 4; L71 to L75): a rod with mass, a coin.
+// The scene body (format-sections.md, section 4; L71 to L75): a rod with mass, a coin. And the section plain
+// of the dumbbell (section 2; L16), which has rho = r and g = 1; a file spells it `lemmas minimal`, `section
+// full`.
 #include "verify/core/big.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/machine/meter.hpp"
@@ -19,13 +21,10 @@ class Body : Flights<N> {
     using typename Base::I, typename Base::Flight, typename Base::Ray;
 
   public:
-    Body(const Leaf& leaf, Log* log) : Base(leaf, body(), log) {}
+    Body(const Leaf& leaf, Log* log) : Base(leaf, leaf.box.lo[3] > 0 ? body() : plain(), log) {}
 
     const char* verdict() {
-        if (!(r.lo > zero && rho.lo > zero)) return "r or rho is out of the range of this precision";
-        if (leaf_.opcode == outside)
-            return Base::is_outside(leaf_.chart == contact) ? nullptr : "a reason of `outside`";
-        return (leaf_.opcode == witness ? witness_counts() : Base::counts()) ? nullptr : Base::failed();
+        return Base::judge([this] { return leaf_.opcode == witness ? witness_counts() : Base::counts(); });
     }
 
   private:
@@ -118,7 +117,17 @@ const char* check_body(const Leaf& leaf, Log* log) {
     return judged<Body>(leaf, log);
 }
 
+const char* check_plain(const Leaf& leaf, Log* log) {
+    if (leaf.opcode == equal_masses || leaf.opcode == witness) return turning().check(leaf, log);
+    return judged<Body>(leaf, log);
+}
+
 }  // namespace
+
+const Section& plain() {
+    static const Section section = full_section("minimal", check_plain);
+    return section;
+}
 
 const Section& body() {
     static const Section section = {

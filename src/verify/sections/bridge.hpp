@@ -8,6 +8,9 @@
 
 namespace dumbbell_verify {
 
+enum { contact, departure, again };
+inline constexpr std::size_t once_leaf = witness + 1;
+
 template <class N>
 class Bridge : protected Rays<N> {
   protected:
@@ -134,9 +137,15 @@ class Bridge : protected Rays<N> {
     const N rho_lo = is_body_ ? bound(down, leaf_.box.lo[3], zero) : r_lo;
     const N rho_hi = is_body_ ? bound(up, leaf_.box.hi[3], zero) : r_hi;
 
-    /// What the sections demand of `outside`, in the charts contact and departure.
-    bool is_outside(bool contact) {
-        if (contact)
+    /// What the sections say alike; `holds` is what they certify of `count`, or of a witness.
+    template <class Holds>
+    const char* judge(const Holds& holds) {
+        if (!(r_lo > zero && rho_lo > zero)) return "r or rho is out of the range of this precision";
+        if (leaf_.opcode == outside) return is_outside() ? nullptr : "a reason of `outside`";
+        return (leaf_.opcode == once_leaf ? once() : holds()) ? nullptr : Base::failed();
+    }
+    bool is_outside() {
+        if (leaf_.chart != departure)
             return less("pi < t0", half_turn, x0) ||
                    fact("1 <= rho_lo (eta0 - 1), exactly",
                         (is_body_ ? leaf_.box.lo[3] : 1 / leaf_.box.hi[2]) * (leaf_.box.lo[1] - 1) >= 1);
@@ -146,8 +155,6 @@ class Bridge : protected Rays<N> {
 };
 
 /// The parts of the sections that are the same.
-enum { contact, departure, again };
-inline constexpr std::size_t once_leaf = witness + 1;
 inline Box full_root(std::size_t chart, const mpq_class& a, const mpq_class& b) {
     return chart == departure ? Box{{0, 0, a}, {2, 2, b}} : Box{{0, 0, a}, {4, power_of_two(b + 1), b}};
 }

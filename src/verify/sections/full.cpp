@@ -18,15 +18,11 @@ class Full : Bridge<N> {
     Full(const Leaf& leaf, Log* log) : Base(leaf, full(), log) {}
 
     const char* verdict() {
-        if (!(r_lo > zero)) return "r is out of the range of this precision";
-        if (leaf_.opcode == outside)
-            return Base::is_outside(leaf_.chart != departure) ? nullptr : "a reason of `outside`";
-        if (leaf_.opcode == once_leaf) return Base::once() ? nullptr : Base::failed();
-        const bool holds =
-            fact("1 + a <= U", 1 + leaf_.a <= leaf_.claimed) &&
-            (leaf_.chart == contact ? at_most("G <= a behind the bridge", contact_ray(x1, y0), leaf_.a)
-                                    : departures());
-        return holds ? nullptr : Base::failed();
+        return Base::judge([this] {
+            return fact("1 + a <= U", 1 + leaf_.a <= leaf_.claimed) &&
+                   (leaf_.chart == contact ? at_most("G <= a behind the bridge", contact_ray(x1, y0), leaf_.a)
+                                           : departures());
+        });
     }
 
   private:

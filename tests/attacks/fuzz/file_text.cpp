@@ -89,10 +89,7 @@ std::string with_fitting_trailer(const std::string& text) {
     const std::size_t totals = text.find("\ntotal ");
     std::string body = text.substr(0, totals == std::string::npos ? text.find("\nsha256 ") : totals);
     if (!body.ends_with('\n')) body += '\n';
-    const std::string claim = value_of(body, "claim");
-    if (claim.starts_with("adiabatic-")) return make::closed_adiabatic(body);
-    return claim == "initial-conditions" || claim == "incoming" ? make::closed_initial(body)
-                                                                : make::closed(body);
+    return make::closed(body);
 }
 
 }  // namespace dumbbell_fuzz

@@ -114,10 +114,9 @@ std::string body_of(const std::string& text) {
 
 std::string closed(const std::string& text) {
     Lines lines = lines_of(body_of(text));
-    if (is_adiabatic(lines)) return make::closed_adiabatic(text_of(lines));
-    if (!is_initial(lines)) return make::closed(text_of(lines));
-    if (const auto header = bounds_line(lines)) lines[*header] = implied_bounds(lines, *header);
-    return make::closed_initial(text_of(lines));
+    const auto header = is_initial(lines) ? bounds_line(lines) : std::nullopt;
+    if (header) lines[*header] = implied_bounds(lines, *header);
+    return make::closed(text_of(lines));
 }
 
 std::string hashed(const std::string& text) {

@@ -74,6 +74,7 @@ CHECKS = (
     ("flight", "if (angle > peak) != (onward > 0):", "if False:", "struck((-1.62, -1.62)) is None"),
     ("flight", "(low is None or n + 1 >= low)", "True", "not within(half, zero, 2, None)"),
     ("flight", "(high is None or n + 1 <= high)", "True", "not within(half, zero, None, 0)"),
+    ("body", "if not top > 0:", "if False:", "refuses(body.quotient, hull(-1, 1), hull(-1, 1))"),
     ("body", "q[0] * rho[0] == q[1] * rho[1] == 1", "q[0] * rho[0] == 1", "not body.Body((2, 3), (0.5, 0.5)).massless"),
     ("fixed", "    spend(2000)\n", "", "cost(lambda: [set_precision(96 + k % 2) for k in range(1000)]) > 10 ** 6"),
     ("fixed", "spend(3000 + 30 * bits + bits * bits // 50)", "pass", "cost(lambda: set_precision(9216)) > 10 ** 6"),

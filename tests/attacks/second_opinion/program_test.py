@@ -147,6 +147,15 @@ class Program(unittest.TestCase):
                       ["--gap", "1e-6", "--ratio", "1:100", STAIRS, one], ["--gap", "0", STAIRS, one], [one, Q10], [STAIRS, Q10], [Q10],
                       [one, coin], [STAIRS, one, "/nowhere"], ["--scene", "wedge", one], [str(CERTIFICATES / "law.dbc.gz"), one], []):
             self.assertEqual(run(["--quiet", "--together", *words])[:2], first(["--quiet", "--together", *words])[:2], words)
+        with tempfile.NamedTemporaryFile() as file:  # of a single ratio: one piece has no upper bound, one no lower one
+            lines = body(one)
+            at = lines.index("piece 1/1 1/1")
+            file.write(signed([*lines[:at - 1], "pieces 2", *lines[at:at + 2], "upper none", *lines[at + 4:at + 6], *lines[at:at + 4],
+                               "lower 0", *lines[at + 6:-1], "total open 1"]))
+            file.flush()
+            for words in ([], ["--gap", "1e-6"], ["--ratio", "1:100"], ["--ratio", "1:100", "--gap", "1e-6"], ["--ratio", "1", "--gap", "0"]):
+                words = ["--quiet", "--together", *words, file.name, STAIRS]
+                self.assertEqual(run(words)[:2], first(words)[:2], words)
         with tempfile.NamedTemporaryFile("w", suffix=".tsv") as rows:
             rows.write(f"{Q10}\t--ratio 10 --exactly 4\tremark\n{STAIRS}\t--ratio 1:100 --max 10 --gap 1e-7\n{coin}\t--coin --max 4\n")
             rows.flush()

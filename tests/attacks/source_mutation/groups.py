@@ -28,8 +28,8 @@ VERIFIER = {
             "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:starts/leaf "
             "machine/meter:machine/work"),
     # the leaves
-    **below("verify", "core/turning macro/leaps sections/body sections/full sections/plain sections/wedge starts/leaf",
-            "core/ray:core/turning core/section:core/turning sections/bridge:sections/full sections/flights:sections/plain "
+    **below("verify", "core/turning macro/leaps sections/body sections/full sections/wedge starts/leaf",
+            "core/ray:core/turning core/section:core/turning sections/bridge:sections/full sections/flights:sections/body "
             "starts/flight:starts/leaf starts/ray:starts/leaf starts/reflection:starts/leaf"),
     # the files and their claims
     **below("verify", "core/certificate core/claim starts/grammar starts/claim program/verify",

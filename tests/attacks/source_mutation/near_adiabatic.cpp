@@ -9,8 +9,8 @@
 #include <map>
 #include <random>
 
+#include "near_main.hpp"
 #include "rooms/verify/adiabatic/rows.hpp"
-#include "rooms/verify/core/leaf_rows.hpp"
 
 namespace {
 
@@ -195,22 +195,6 @@ void make(std::uint64_t seed, int number) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv, argv + argc);
-    if (words.size() == 4 && words[1] == "make") {
-        make(std::stoull(words[2]), std::stoi(words[3]));
-        return 0;
-    }
-    if (words.size() == 3 && words[1] == "differ") {
-        std::size_t number = 0;
-        for (const leaf_rows::Row& row : leaf_rows::read(words[2])) {
-            if (judged(parsed(row.leaf)) != row.result) {
-                std::cout << number << "\n";
-                return 1;
-            }
-            ++number;
-        }
-        return 0;
-    }
-    std::cerr << "usage: near_adiabatic make SEED NUMBER | near_adiabatic differ FILE\n";
-    return 2;
+    return leaf_rows::near_main(argc, argv, make,
+                                [](const std::string& leaf) { return judged(parsed(leaf)); });
 }

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <random>
 
+#include "near_main.hpp"
 #include "rooms/verify/law/rows.hpp"
 
 namespace {
@@ -115,11 +116,6 @@ class Maker {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv, argv + argc);
-    if (words.size() == 4 && words[1] == "make") {
-        Maker(std::stoull(words[2])).make(std::stoi(words[3]));
-        return 0;
-    }
-    std::fputs("usage: near_law make SEED NUMBER\n", stderr);
-    return 2;
+    return leaf_rows::near_main(
+        argc, argv, [](std::uint64_t seed, int number) { Maker(seed).make(number); }, law_rows::judged);
 }

@@ -5,11 +5,10 @@
 // window of a first contact) is moved outwards by bisection until the leaf is no longer certified. In double
 // and in MPFR, also with so few bits that a bound rounded to the wrong side is off by a percent.
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <random>
 
-#include "rooms/verify/core/leaf_rows.hpp"
+#include "near_main.hpp"
 
 namespace starts = dumbbell_verify::starts;
 
@@ -239,22 +238,7 @@ class Maker {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv, argv + argc);
-    if (words.size() == 4 && words[1] == "make") {
-        Maker(std::stoull(words[2])).make(std::stoi(words[3]));
-        return 0;
-    }
-    if (words.size() == 3 && words[1] == "differ") {
-        std::size_t number = 0;
-        for (const Row& row : read(words[2])) {
-            if (judged(parsed(row.leaf)) != row.result) {
-                std::printf("%zu\n", number);
-                return 1;
-            }
-            ++number;
-        }
-        return 0;
-    }
-    std::fputs("usage: near_leaves make SEED NUMBER | near_leaves differ FILE\n", stderr);
-    return 2;
+    return leaf_rows::near_main(
+        argc, argv, [](std::uint64_t seed, int number) { Maker(seed).make(number); },
+        [](const std::string& leaf) { return judged(parsed(leaf)); });
 }

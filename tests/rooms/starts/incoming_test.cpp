@@ -21,7 +21,7 @@ using namespace dumbbell::starts;
 using namespace dumbbell_test;
 using dumbbell_trace_test::refusal;
 using dumbbell_trace_test::uniform;
-using make::mutated_initial;
+using make::mutated;
 
 namespace {
 
@@ -113,22 +113,20 @@ TEST_CASE("up to s = 1 nothing is certified but that all states fall") {
     const std::string text =
         sealed(10, subdivide(incoming_box(10), {.max_boxes = 200, .incoming = true})).text;
     CHECK(refusal(text).empty());
-    const std::string root = make::closed_initial(
+    const std::string root = make::closed(
         "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection none\n"
         "claim incoming\nratio 10/1 10/1\nbits 53\nbetween 1 4\nbetween 1 4\n");
     CHECK(refusal(root).empty());
     const std::string bounds = "between 1 4\nbetween 1 4\n";
-    const auto with = [&](const std::string& changed) {
-        return refusal(mutated_initial(root, bounds, changed));
-    };
+    const auto with = [&](const std::string& changed) { return refusal(mutated(root, bounds, changed)); };
     CHECK_THAT(with("between 2 4\nbetween 2 4\n"), Contains("not certified"));
     CHECK_THAT(with("between 1 3\nbetween 1 3\n"), Contains("not certified"));
     CHECK_THAT(with("between 1 4\nbetween 1 4 light 1b0 1b1\n"), Contains("up to s = 1"));
     CHECK_THAT(with("between 0 0\nexactly 0\n"), Contains("up to s = 1"));
-    CHECK_THAT(refusal(mutated_initial(root, "ratio 10/1 10/1", "ratio 10/1 11/1")), Contains("LO = HI"));
-    CHECK_THAT(refusal(mutated_initial(text, "split s", "split phidot")), Contains("not an axis"));
-    CHECK_FALSE(refusal(mutated_initial(text, "split s", "split phi")).empty());
-    CHECK_FALSE(refusal(mutated_initial(text, "ratio 10/1 10/1", "ratio 100/1 100/1")).empty());
+    CHECK_THAT(refusal(mutated(root, "ratio 10/1 10/1", "ratio 10/1 11/1")), Contains("LO = HI"));
+    CHECK_THAT(refusal(mutated(text, "split s", "split phidot")), Contains("not an axis"));
+    CHECK_FALSE(refusal(mutated(text, "split s", "split phi")).empty());
+    CHECK_FALSE(refusal(mutated(text, "ratio 10/1 10/1", "ratio 100/1 100/1")).empty());
 }
 
 TEST_CASE("the maximum over all trajectories is known beyond the counts that a leaf may bound") {
@@ -159,7 +157,7 @@ TEST_CASE("no leaf says more than the maximum over all trajectories, and less th
         CHECK(judge_falling(incoming_box(ratio)).most == n);
         const auto root = [&](long most) {
             const std::string bounds = "between 1 " + std::to_string(most) + "\n";
-            return make::closed_initial(
+            return make::closed(
                 "dumbbell-certificate 1\ngenerator dumbbell 0.1.0\nlemmas 1\nscene dumbbell\nsection none\n"
                 "claim incoming\nratio " +
                 to_fraction(ratio) + " " + to_fraction(ratio) + "\nbits 53\n" + bounds + bounds);

@@ -22,7 +22,7 @@ std::string lifted(const std::string& text, std::size_t at, const std::string& l
             result += lines[i] + "\n";
         else if (i == at)
             result += leaf + "\n";
-    return closed_adiabatic(result);
+    return closed(result);
 }
 
 /// A whole scattering of five collisions, the last of which is near the vertical.
@@ -209,7 +209,7 @@ TEST_CASE("adiabatic: a class must hold for all its flights") {
         const std::size_t value = halved.find(' ', at + 6) + 1, end = halved.find('\n', value);
         halved.replace(value, end - value, level(mpq_class(halved.substr(value, end - value)) / 2));
     }
-    CHECK(outcome(closed_adiabatic(halved.substr(0, halved.find("total split")))) == "bound");
+    CHECK(outcome(closed(halved.substr(0, halved.find("total split")))) == "bound");
     // A threshold below which the flights are others, or below all.
     CHECK(mutant(run_file(), "class 13/10 40", "class 1/1 40") != "verified");
     CHECK(mutant(run_file(), "class 13/10 40", "class 3/4 40") == "class");
@@ -249,7 +249,7 @@ TEST_CASE("adiabatic: numbers beyond all bounds are refused without harm") {
     const std::string huge(2000, '9'), tiny = "1/" + huge;
     const auto refused = [](const std::string& text, const std::string& from, const std::string& to) {
         INFO(to.substr(0, 60));
-        CHECK(outcome(mutated_adiabatic(text, from, to)) != "verified");
+        CHECK(outcome(mutated(text, from, to)) != "verified");
     };
     for (const std::string& value : {huge + "/1", tiny}) {
         refused(run_file(), "attained 63/125", "attained " + value);
@@ -266,7 +266,7 @@ TEST_CASE("adiabatic: numbers beyond all bounds are refused without harm") {
     refused(run_file(), "cell " + low, "cell " + tiny);
     refused(run_file(), cell.substr(0, cell.find('\n')),
             "cell " + low + " " + huge + "/1");  // V is unbounded
-    CHECK(outcome(mutated_adiabatic(run_file(), "10 93/10", "10 " + tiny)) == "verified");
+    CHECK(outcome(mutated(run_file(), "10 93/10", "10 " + tiny)) == "verified");
     // Beyond double, not beyond MPFR.
-    CHECK(outcome(mutated_adiabatic(bounce(), "bound 5/2", "bound " + huge + "/1")) == "verified");
+    CHECK(outcome(mutated(bounce(), "bound 5/2", "bound " + huge + "/1")) == "verified");
 }

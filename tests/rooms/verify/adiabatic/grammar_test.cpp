@@ -42,8 +42,7 @@ TEST_CASE("adiabatic grammar: the header") {
     CHECK(mutant(bounce(), "bound 5/2 10/1", "bound 5/2") == "syntax");
     CHECK(mutant(run_file(), "bound 20/1", "bound 20/1 20/1") == "syntax");
     // Refused at once, before what is wrong behind it.
-    CHECK(mutant(mutated_adiabatic(bounce(), "exponent 8\n", ""), "delta 1/20 1/20", "delta 1/19 1/20") ==
-          "number");
+    CHECK(mutant(mutated(bounce(), "exponent 8\n", ""), "delta 1/20 1/20", "delta 1/19 1/20") == "number");
 }
 
 TEST_CASE("adiabatic grammar: classes and cells") {
@@ -69,7 +68,7 @@ TEST_CASE("adiabatic grammar: a leaf of a run is checked with the class that it 
     const std::string second =
         replaced(run_file().substr(first, end - first), "class 13/10 40", "class 3/1 40");
     std::string two = run_file().substr(0, end) + second + run_file().substr(end);
-    two = mutated_adiabatic(two, "classes 1", "classes 2");
+    two = mutated(two, "classes 1", "classes 2");
     CHECK(outcome(two) == "verified");
     CHECK(mutant(two, "\nbound 0\n", "\nbound 1\n") == "bound");
     CHECK(mutant(two, "\nbound 0\n", "\nbound 2\n") == "number");
@@ -88,7 +87,7 @@ TEST_CASE("adiabatic grammar: trees") {
     CHECK(mutant(bounce(), "\nbound\n", "\nopen\n") == "opcode");
     std::string deep = small_bounce().header();
     for (int i = 0; i < 201; ++i) deep += "split u\n";
-    CHECK(outcome(closed_adiabatic(deep)) == "depth");
+    CHECK(outcome(closed(deep)) == "depth");
 }
 
 TEST_CASE("adiabatic grammar: attained states, totals and the end") {
@@ -113,7 +112,7 @@ TEST_CASE("adiabatic grammar: attained states, totals and the end") {
 
 TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
     // It is the next line that is missing.
-    const std::string no_bits = mutated_adiabatic(bounce(), "bits 53\n", "");
+    const std::string no_bits = mutated(bounce(), "bits 53\n", "");
     for (const char* value : {"0", "16"})
         CHECK(mutant(no_bits, "exponent 8", std::string("exponent ") + value) == "syntax");
     CHECK(mutant(run_file(), "classes 1", "classes 64") == "syntax");
@@ -121,7 +120,7 @@ TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
           "verified");
     Request settings;
     settings.max_bits = 4096;
-    const std::string precise = mutated_adiabatic(bounce(), "bits 53", "bits 4096");
+    const std::string precise = mutated(bounce(), "bits 53", "bits 4096");
     CHECK(std::holds_alternative<dumbbell_verify::adiabatic::Claim>(
         dumbbell_verify::verify(File(precise).path(), settings).other));
     // One cell is enough, and the 4096th is still one; it is the tree that is missing.
@@ -129,7 +128,7 @@ TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
         std::string text = run_file().substr(0, run_file().find("cell "));
         text = replaced(text, " 40\n", " " + std::to_string(number) + "\n");
         for (int i = 1; i <= number; ++i) text += "cell " + fraction(mpq_class(9001 - i, 9001)) + " 0/1\n";
-        return outcome(closed_adiabatic(text + "split q\n"));
+        return outcome(closed(text + "split q\n"));
     };
     CHECK(with_cells(1) == "syntax");
     CHECK(with_cells(4096) == "syntax");
@@ -137,9 +136,8 @@ TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
 }
 
 TEST_CASE("adiabatic grammar: an attained state may be anywhere between the ends of delta") {
-    const std::string wide =
-        mutated_adiabatic(mutated_adiabatic(bounce(), "delta 1/20 1/20", "delta 49999999/1000000000 1/20"),
-                          "bound 5/2 10/1", "bound 50/1 500/1");
+    const std::string wide = mutated(mutated(bounce(), "delta 1/20 1/20", "delta 49999999/1000000000 1/20"),
+                                     "bound 5/2 10/1", "bound 50/1 500/1");
     for (const char* delta : {"49999999/1000000000", "99999999/2000000000", "1/20"})
         CHECK(mutant(wide, "1/20 1 97/50", std::string(delta) + " 1 1/100") == "verified");
     for (const char* delta : {"24999999/500000000", "50000001/1000000000", "0/1"})
@@ -147,7 +145,7 @@ TEST_CASE("adiabatic grammar: an attained state may be anywhere between the ends
 }
 
 TEST_CASE("adiabatic grammar: a leaf that is not certified goes before what is wrong after it") {
-    const std::string narrow = mutated_adiabatic(bounce(), "bound 5/2 10/1", "bound 1/100 10/1");
+    const std::string narrow = mutated(bounce(), "bound 5/2 10/1", "bound 1/100 10/1");
     CHECK(outcome(narrow) == "bound");
     CHECK(mutant(narrow, "1/20 1 97/50", "1/20 1 -97/50") == "bound");
 }
@@ -157,7 +155,7 @@ TEST_CASE("adiabatic: leaves are checked while the file is read") {
         const std::string half = depth > 0 ? halved(depth - 1) : "";
         return depth > 0 ? "split u\n" + half + half : "bound\n";
     };
-    const std::string file = closed_adiabatic(small_bounce().header() + halved(12));
+    const std::string file = closed(small_bounce().header() + halved(12));
     Request settings;
     settings.budget = file.size() / 2 * 384;  // units: less than half of what the text and its boxes cost
     CHECK(outcome(file, settings) == "bound");

@@ -14,13 +14,6 @@ namespace make {
 
 namespace adiabatic = dumbbell_verify::adiabatic;
 
-/// A copy with `from` (which must occur) replaced once, and a trailer that fits.
-inline std::string mutated_adiabatic(const std::string& text, const std::string& from,
-                                     const std::string& to) {
-    const std::string changed = replaced(text, from, to);
-    return closed_adiabatic(changed.substr(0, changed.find("total split")));
-}
-
 inline std::string level(const mpq_class& x) { return fraction(x); }
 
 struct Adiabatics {
@@ -133,7 +126,7 @@ struct Adiabatics {
             for (std::size_t i = 0; i < terms.classes.size(); ++i) text += class_lines(i) + class_tree(i);
             text += "end\n";
         }
-        return closed_adiabatic(text + claim_tree() + attained_lines());
+        return closed(text + claim_tree() + attained_lines());
     }
 };
 
@@ -217,7 +210,7 @@ inline const std::string& scattering() {
 /// What the verifier says of such a file with `from` replaced.
 inline std::string mutant(const std::string& text, const std::string& from, const std::string& to) {
     INFO(from << " -> " << to);
-    return outcome(mutated_adiabatic(text, from, to));
+    return outcome(mutated(text, from, to));
 }
 
 }  // namespace make

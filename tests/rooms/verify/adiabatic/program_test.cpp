@@ -15,7 +15,7 @@ TEST_CASE("adiabatic: the verdict states the claim, C and C/B rounded up, B roun
     exact.terms.claim.bounds = {mpq_class(200000001, 10000000)};          // 20.0000001
     exact.terms.claim.attained[0].value = mpq_class(93000009, 10000000);  // 9.3000009
     const std::string text = exact.file();
-    const File good(text), bad(mutated_adiabatic(text, "bound 200000001/10000000", "bound 9/1"));
+    const File good(text), bad(mutated(text, "bound 200000001/10000000", "bound 9/1"));
     const Run verified = run(good.path());
     CHECK(verified.code == 0);
     CHECK(verified.last() ==
@@ -79,7 +79,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     CHECK(code("--scene hybrid") == 1);
     const File list(file.path() + "\t--ratio 399 --max 20\n");
     CHECK(run("--claims " + list.path()).code == 2);
-    const File ten(closed(header("10/1", "10/1", 1) + piece(10, 10, 4, 0, "")));
+    const File ten(make::ten());
     CHECK(run("--claim adiabatic-run " + ten.path()).code == 1);
     CHECK(run("--claim adiabatic-run --delta 1/20 --constant 20 " + ten.path()).code == 1);
     const std::string whole = "--delta 0.05 --heights 0.6:0.9 --margin 1/2 --constant 20 --attained 9.3";

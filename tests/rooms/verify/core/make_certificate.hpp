@@ -14,13 +14,16 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "verify/core/section.hpp"
+#include "verify/program/verify.hpp"
 
 namespace make {
 
-using dumbbell_verify::Box;
 using dumbbell_verify::Leaf;
+using dumbbell_verify::Section;
 
 inline std::string sha256(const std::string& text) {
     std::array<std::uint8_t, SHA256_DIGEST_SIZE> bytes{};
@@ -33,35 +36,37 @@ inline std::string sha256(const std::string& text) {
     return hex;
 }
 
-/// The totals that belong to these lines.
-inline std::string totals(const std::string& body) {
+/// What the trailer of such a text counts.
+inline std::vector<std::string> kinds_of(const std::string& text) {
+    const auto has = [&](const char* line) { return text.find(line) != std::string::npos; };
+    if (has("\nclaim adiabatic-")) return {"split", "bound", "outside"};
+    if (has("\nsection none\n")) return {"split", "exactly", "between", "open"};
+    std::vector<std::string> kinds{"split",          "count",        "outside", "meets",
+                                   "meets-reversed", "equal-masses", "witness"};
+    if (has("\nclaim law\n"))
+        kinds.insert(kinds.end(), {"slope", "beyond"});
+    else if (has("\nscene body\n"))
+        kinds.insert(kinds.end(), {"symmetric", "open"});
+    else if (has("\nsection full\n"))
+        kinds.insert(kinds.end(), {"once", "open"});
+    else
+        kinds.emplace_back("open");
+    return kinds;
+}
+
+inline std::string hashed(const std::string& text) { return text + "sha256 " + sha256(text) + "\n"; }
+/// The text with the totals of these kinds, and its hash.
+inline std::string closed(const std::string& body, const std::vector<std::string>& kinds) {
     std::map<std::string, int> count;
     std::istringstream in(body);
     for (std::string line; std::getline(in, line);)
         ++count[line == "upper none" ? "open" : line.substr(0, line.find(' '))];
-    const bool full = body.find("\nsection full\n") != std::string::npos;
-    const bool bodies = body.find("\nscene body\n") != std::string::npos;
-    std::string text;
-    for (const std::string kind : {"split", "count", "outside", "meets", "meets-reversed", "equal-masses",
-                                   "witness", "once", "symmetric", "open"})
-        if ((kind != "once" || (full && !bodies)) && (kind != "symmetric" || bodies))
-            text += "total " + kind + " " + std::to_string(count[kind]) + "\n";
-    return text;
+    --count["bound"], --count["between"];  // those of the header
+    std::string text = body;
+    for (const std::string& kind : kinds) text += "total " + kind + " " + std::to_string(count[kind]) + "\n";
+    return hashed(text);
 }
-
-inline std::string hashed(const std::string& text) { return text + "sha256 " + sha256(text) + "\n"; }
-inline std::string closed(const std::string& body) { return hashed(body + totals(body)); }
-/// The same of a text about the adiabatic invariant.
-inline std::string closed_adiabatic(const std::string& text) {
-    std::map<std::string, int> count;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) ++count[line.substr(0, line.find(' '))];
-    --count["bound"];  // that of the header
-    std::string all = text;
-    for (const std::string kind : {"split", "bound", "outside"})
-        all += "total " + kind + " " + std::to_string(count[kind]) + "\n";
-    return hashed(all);
-}
+inline std::string closed(const std::string& body) { return closed(body, kinds_of(body)); }
 
 inline std::string header(const std::string& lo, const std::string& hi, int pieces) {
     return "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\nsection turning\nclaim "
@@ -80,49 +85,50 @@ inline std::string replaced(std::string text, const std::string& from, const std
 /// The same with the trailer made anew, so that nothing but the change itself is wrong.
 inline std::string mutated(const std::string& text, const std::string& from, const std::string& to) {
     const std::string changed = replaced(text, from, to);
-    return closed(changed.substr(0, changed.find("total split")));
+    return closed(changed.substr(0, changed.find("total split")), kinds_of(text));
 }
 
-using dumbbell_verify::count_leaf, dumbbell_verify::meets, dumbbell_verify::meets_reversed,
-    dumbbell_verify::outside;
-
-inline bool accepts(Leaf leaf, std::size_t opcode, const mpz_class& a = 0, const mpz_class& b = 0) {
-    leaf.opcode = opcode;
-    leaf.a = a;
-    leaf.b = b;
-    return dumbbell_verify::turning().check(leaf, nullptr) == nullptr;
-}
-
-/// A tree that proves the bound on the box, or std::runtime_error.
-inline std::string tree(Leaf leaf, int depth = 0) {
+/// A tree of leaves that the section accepts with U = leaf.claimed on the leaf's box, or std::runtime_error.
+inline std::string tree(const Section& section, Leaf leaf, int depth = 0) {
     if (depth > 40) throw std::runtime_error("the cover does not close");
-    if (accepts(leaf, outside)) return "outside\n";
-    if (leaf.chart == 1 && accepts(leaf, meets)) return "meets\n";
-    if (leaf.chart == 1 && accepts(leaf, meets_reversed)) return "meets-reversed\n";
-    for (std::uint64_t a = 0; a < leaf.claimed; ++a)
-        if (accepts(leaf, count_leaf, a, leaf.claimed - 1 - a))
-            return "count " + std::to_string(a) + " " + mpz_class(leaf.claimed - 1 - a).get_str() + "\n";
-    const auto& axes = dumbbell_verify::turning().charts[leaf.chart].axes;
-    const bool ratio = depth % 3 == 2 && leaf.box.hi[2] > leaf.box.lo[2];
-    const std::size_t i =
-        ratio                                                                                  ? 2
-        : leaf.box.hi[0] - leaf.box.lo[0] > (leaf.box.hi[1] - leaf.box.lo[1]) / leaf.box.hi[2] ? 0
-                                                                                               : 1;
-    const mpq_class middle = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;
+    const auto accepts = [&](std::size_t opcode) {
+        leaf.opcode = opcode;
+        return (section.opcodes[opcode].charts >> leaf.chart & 1) != 0 && !section.check(leaf, nullptr);
+    };
+    for (std::size_t i = 0; i < section.opcodes.size(); ++i)
+        if (const auto& opcode = section.opcodes[i];
+            opcode.place == dumbbell_verify::Place::leaf && opcode.hints == 0 && accepts(i))
+            return std::string(opcode.name) + "\n";
+    const bool two = section.opcodes[dumbbell_verify::count_leaf].hints == 2;
+    for (leaf.a = two ? 0 : mpz_class(leaf.claimed - 1); leaf.a < leaf.claimed; ++leaf.a) {
+        leaf.b = leaf.claimed - 1 - leaf.a;
+        if (accepts(dumbbell_verify::count_leaf))
+            return "count " + leaf.a.get_str() + (two ? " " + leaf.b.get_str() : "") + "\n";
+    }
+    const mpq_class wide = two ? mpq_class(1 / leaf.box.hi[2]) : mpq_class(2);  // next to the other axis
+    const bool ratio = two && depth % 3 == 2 && leaf.box.hi[2] > leaf.box.lo[2];
+    const std::size_t i = ratio                                                                        ? 2
+                          : leaf.box.hi[0] - leaf.box.lo[0] > wide * (leaf.box.hi[1] - leaf.box.lo[1]) ? 0
+                                                                                                       : 1;
     Leaf lower = leaf, upper = leaf;
-    lower.box.hi[i] = upper.box.lo[i] = middle;
-    return "split " + std::string(axes[i]) + "\n" + tree(lower, depth + 1) + tree(upper, depth + 1);
+    lower.box.hi[i] = upper.box.lo[i] = (leaf.box.lo[i] + leaf.box.hi[i]) / 2;
+    return "split " + std::string(section.charts[leaf.chart].axes[i]) + "\n" +
+           tree(section, lower, depth + 1) + tree(section, upper, depth + 1);
 }
 
-/// Both trees of a piece [a, b] for the bound `upper`.
-inline std::string cover(const mpq_class& a, const mpq_class& b, std::uint64_t upper, unsigned bits = 53) {
+/// All trees of a piece [a, b] for the bound `upper`, for bodies of these rho if there are some.
+inline std::string cover(const Section& section, const mpq_class& a, const mpq_class& b, std::uint64_t upper,
+                         unsigned bits = 53, const dumbbell_verify::Range& rho = {}) {
     Leaf leaf;
     leaf.claimed = upper;
     leaf.bits = bits;
-    leaf.box = dumbbell_verify::turning().root(0, a, b);
-    std::string text = "chart bridge\n" + tree(leaf);
-    leaf.chart = 1;
-    return text + "chart light\n" + tree(leaf);
+    std::string text;
+    for (leaf.chart = 0; leaf.chart < section.charts.size(); ++leaf.chart) {
+        leaf.box = section.root(leaf.chart, a, b);
+        std::tie(leaf.box.lo[3], leaf.box.hi[3]) = rho;
+        text += "chart " + std::string(section.charts[leaf.chart].name) + "\n" + tree(section, leaf);
+    }
+    return text;
 }
 
 inline std::string fraction(const mpq_class& x) {
@@ -133,8 +139,8 @@ inline std::string fraction(const mpq_class& x) {
 inline std::string piece(const mpq_class& a, const mpq_class& b, std::uint64_t upper, std::uint64_t lower,
                          const std::string& witness, unsigned bits = 53) {
     return "piece " + fraction(a) + " " + fraction(b) + "\nbits " + std::to_string(bits) + "\nupper " +
-           std::to_string(upper) + "\n" + cover(a, b, upper, bits) + "lower " + std::to_string(lower) + "\n" +
-           (lower > 0 ? "witness " + witness + "\n" : "");
+           std::to_string(upper) + "\n" + cover(dumbbell_verify::turning(), a, b, upper, bits) + "lower " +
+           std::to_string(lower) + "\n" + (lower > 0 ? "witness " + witness + "\n" : "");
 }
 
 /// A file with these bytes, removed at the end of the test.
@@ -154,6 +160,25 @@ class File {
     inline static int serial = 0;
     std::string path_;
 };
+
+/// What is demanded of a scene, in this precision at least.
+inline dumbbell_verify::Request asking(const std::string& scene, unsigned precision = 0) {
+    dumbbell_verify::Request settings;
+    settings.scene = scene;
+    settings.precision = precision;
+    return settings;
+}
+/// Why the file is not verified; its code is "verified" if it is.
+inline dumbbell_verify::Failure failure(const std::string& bytes,
+                                        const dumbbell_verify::Request& settings = {}) try {
+    dumbbell_verify::verify(File(bytes).path(), settings);
+    return {dumbbell_verify::Verdict::verified, 0, "verified", ""};
+} catch (const dumbbell_verify::Failure& failure) {
+    return failure;
+}
+inline std::string outcome(const std::string& bytes, const dumbbell_verify::Request& settings = {}) {
+    return failure(bytes, settings).code;
+}
 
 inline std::string gzipped(const std::string& text) {
     z_stream stream{};

@@ -35,7 +35,7 @@ TEST_CASE("law: the verdict states the law, and nothing of single ratios") {
 TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in numbers") {
     // No cover closes, and all are read.
     const std::string text =
-        make::closed_law(make::law_steps() + "cover layer\nslope\ncover bulk 1 1 1\ncover end 1\n");
+        make::closed(make::law_steps() + "cover layer\nslope\ncover bulk 1 1 1\ncover end 1\n");
     const make::File file(text);
     const auto line = [&](const std::string& words) {
         const auto at = static_cast<std::ptrdiff_t>(text.find("\n" + words + "\n") + 1);
@@ -66,7 +66,7 @@ TEST_CASE("law: the covers are those of the claim, whole: one leaf of each in nu
     // What doubles do not decide is tried again: a step with its own bits, a cover with 53, whatever the last
     // step has.
     const auto with = [&](const std::string& step, const std::string& changed) {
-        return make::closed_law(make::replaced(text.substr(0, text.find("total split")), step, changed));
+        return make::closed(make::replaced(text.substr(0, text.find("total split")), step, changed));
     };
     const make::File near(with("step 9 313/5 251/4\nbits 53\n", "step 9 313/5 626001/10000\nbits 64\n"));
     const make::Run twice = run("--explain 9:witness " + near.path());

@@ -49,33 +49,6 @@ TEST_CASE("budget: each file has its own") {
     CHECK(run("--budget 0.001s " + ten_path + " " + ten_path + " " + ten_path).code == 0);
 }
 
-TEST_CASE("budget: a time is a number with s, m or h") {
-    for (const char* time : {"1s", "0.5m", "1.5h", "999999h", "1e3s", "1.0001s", "10^5m", "1e300h"})
-        CHECK(run(std::string("--budget ") + time + " " + ten_path).code == 0);
-    for (const char* time : {"5", "s", "-1s", "1d", "1 s", "1.s", "e3s", "1e3", "1.5.5h", "''"}) {
-        const Run r = run(std::string("--budget=") + time + " " + ten_path);
-        INFO(time);
-        CHECK(r.code == 2);
-        CHECK(has(r.err, "--budget needs a time such as 30s, 10m or 2h"));
-    }
-}
-
-TEST_CASE("a name cannot imitate a verdict") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("dumbbell_verify_names" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    for (const std::string name : {"s VERIFIED scene=dumbbell", "c files=1 verified=1"}) {
-        const File bad("dumbbell-certificate 1\n");
-        std::filesystem::copy_file(bad.path(), folder / name,
-                                   std::filesystem::copy_options::overwrite_existing);
-        const Run r = run("'" + name + "'", "cd " + folder.string() + " && ");
-        CHECK(r.code == 1);
-        CHECK(r.out.starts_with("./" + name + "\n"));
-        CHECK(r.last().starts_with("s REJECTED "));
-    }
-    std::filesystem::remove_all(folder);
-}
-
 TEST_CASE("a certificate may come from the standard input, or from a pipe that the shell makes") {
     const std::string exactly = "--quiet --ratio 10 --exactly 4 ";
     const std::string verdict = run(exactly + ten_path).out;
@@ -118,12 +91,6 @@ TEST_CASE("the stack that many bits need is taken at once, before the memory is 
     };
     CHECK(std::system(stack("", 256).c_str()) == 0);
     CHECK(std::system(stack("ulimit -s 512; ", 128).c_str()) == 0);
-}
-
-TEST_CASE("a scene that there is not is wrong usage, not a rejection") {
-    const Run r = run("--scene foo " + ten_path);
-    CHECK(r.code == 2);
-    CHECK(r.err == "dumbbell-verify: --scene is dumbbell, hybrid, wedge or body, not `foo`\n");
 }
 
 TEST_CASE("progress goes to a terminal only, without escape codes, and not with --quiet") {

@@ -32,7 +32,7 @@ std::string open_starts(const std::string& axis, int depth, int digits) {
     const std::string header =
         "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\nsection none\n"
         "claim initial-conditions\n";
-    return make::closed_initial(
+    return make::closed(
         header + "ratio " + long_ratio(digits, 0) + " " + long_ratio(digits, 4) +
         "\nphi 0/1 1/1\nphidot 1/1 2/1\ny 3/1 4/1\nydot -2/1 -1/1\nbits 53\nbetween 0 none\n" +
         tree(axis, depth, "open"));
@@ -72,7 +72,7 @@ TEST_CASE("the memory that --shares takes does not grow with the file without an
         if (left > 0) grow(left - 1), grow(left - 1);
     };
     grow(depth);
-    const make::File file(make::closed_initial(
+    const make::File file(make::closed(
         make::replaced(body, "between 0 none", "between 0 " + std::to_string(next - 1)) + leaves));
     const make::Run shares = make::run("--shares " + file.path());
     CHECK(shares.code == 4);
@@ -90,7 +90,7 @@ TEST_CASE("a tree as deep as there may be is read on any stack") {
     for (int i = 0; i < 2000; ++i) lines += "open\n";
     std::string body = open_starts("phi", 0, 5);
     body = body.substr(0, body.find("open\n"));
-    const make::File file(make::closed_initial(body + lines));
+    const make::File file(make::closed(body + lines));
     for (const char* stack : {"64", "128", "256", "8192"})
         for (const char* jobs : {"1", "8"}) {
             CAPTURE(stack, jobs);

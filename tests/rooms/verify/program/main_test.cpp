@@ -288,12 +288,20 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--claims list F",
              "--claims list --max 4",
              "--lemma 4.1 F F",
+             "--scene foo F",
+             "--budget 5 F",
+             "--together",
+             "--together=1 F",
+             "--together --claims list",
+             "--together --explain 1:bridge F",
+             "--together --shares F",
          }) {
         std::string arguments = options;
         if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());
         const Run r = run(arguments);
         INFO(options << " -> " << r.err);
         CHECK(r.code == 2);
+        CHECK(r.out.empty());
         CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
     }
     for (const char* ratio : {"5/", "/5", "/", "5/x", "5/3x"})
@@ -310,6 +318,7 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
     CHECK(run("--version").out.starts_with("dumbbell-verify "));
     CHECK(make::has(run("--version"), ", flags: "));
     CHECK(run("-h").out == run("--help").out);
+    CHECK(make::has(run("--man"), "\\fB\\-\\-ratio\\fR \\fIRATIO|LO:HI\\fR\n"));
     CHECK(run("-V").out == run("--version").out);
     for (const std::string& arguments :
          {file.path(), file.path() + " " + file.path(), "--json " + file.path(), std::string("--help"),

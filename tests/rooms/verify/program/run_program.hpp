@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "rooms/verify/core/make_certificate.hpp"
+#include "rooms/verify/program/shipped.hpp"
 
 namespace make {
 
@@ -32,12 +33,8 @@ inline Run run(const std::string& arguments, const std::string& before = "") {
     const std::string command =
         before + DUMBBELL_VERIFY_BIN " " + arguments + " >" + out.path() + " 2>" + err.path();
     const int status = std::system(command.c_str());
-    const auto text = [](const File& file) {
-        std::ostringstream all;
-        all << std::ifstream(file.path()).rdbuf();
-        return all.str();
-    };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text(out), text(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out.path()),
+            contents(err.path())};
 }
 
 inline bool has(const std::string& text, const std::string& part) {

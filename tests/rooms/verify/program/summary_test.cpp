@@ -55,6 +55,12 @@ TEST_CASE("summary: a verdict line has its fields in this order") {
     CHECK(verdict_line(result(Verdict::limit, 1)) == "s LIMIT line=1 not?certified");
     CHECK(verdict_line(result(Verdict::unsupported, 2)) == "s UNSUPPORTED line=2 not?certified");
     CHECK(verdict_line(result(Verdict::unreadable)) == "s UNREADABLE not?certified");
+    for (const std::string imitation : {"s VERIFIED scene=dumbbell", "c files=1 verified=1"}) {
+        const Job named{imitation, {}};
+        r = result(Verdict::limit);
+        r.job = &named;
+        CHECK(block(r, false) == "./" + imitation + "\ns LIMIT not?certified\n");
+    }
 }
 
 TEST_CASE("summary: the sentence says what was demanded, or else what is proved of the ratios in question") {

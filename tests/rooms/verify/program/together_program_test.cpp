@@ -139,18 +139,3 @@ TEST_CASE("together: the JUnit report has a test case for each file, and one for
     CHECK(run("--junit " + report + " --together /nonexistent" + quarters.names).code == 2);
     CHECK(has(make::contents(report), " tests=\"6\" failures=\"0\" errors=\"2\" "));
 }
-
-TEST_CASE("together: wrong usage is one line on stderr") {
-    const std::string ten = make::shipped("q-10.dbc");
-    for (const char* options : {"", "--claims F", "--explain 1:bridge F", "--shares F"}) {
-        std::string arguments = options;
-        for (std::size_t at = 0; (at = arguments.find(" F", at)) != std::string::npos; ++at)
-            arguments.replace(at, 2, " " + ten);
-        const Run r = run("--together " + arguments);
-        INFO(options << " -> " << r.out << r.err);
-        CHECK(r.code == 2);
-        CHECK(r.out.empty());
-        CHECK(std::count(r.err.begin(), r.err.end(), '\n') == 1);
-    }
-    CHECK(has(run("--together=1 " + ten).err, "unknown option --together=1"));
-}

@@ -3,7 +3,6 @@
 #include "catch.hpp"
 #include "rooms/verify/core/make_certificate.hpp"
 #include "rooms/verify/program/run_program.hpp"
-#include "rooms/verify/sections/full_tree.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;
@@ -14,16 +13,8 @@ using make::run;
 
 namespace {
 
-/// What is said of a text, whose scene is demanded: `verified`, or the code of the failure.
-std::string said_of_bodies(const std::string& text, unsigned precision = 0) try {
-    const File file(text);
-    Request settings;
-    settings.scene = "body";
-    settings.precision = precision;
-    verify(file.path(), settings);
-    return "verified";
-} catch (const Failure& failure) {
-    return failure.code;
+std::string said_of_bodies(const std::string& text, unsigned precision = 0) {
+    return make::outcome(text, make::asking("body", precision));
 }
 
 std::string body_text(const std::string& ratios, const std::string& rho, int upper, const std::string& cover,
@@ -39,11 +30,14 @@ std::string body_text(const std::string& ratios, const std::string& rho, int upp
 const std::string coin = body_text("4/1 4/1", "1/1 1/1", 4, "symmetric\n", 4, "corner 0b0 0b0 3 0"),
                   uniform_rod = body_text("3/1 3/1", "1/1 1/1", 3, "symmetric\n", 3, "corner 0b0 0b0 2 0");
 
+/// At rho = 1/2.
+std::string cover_of_half(const mpq_class& q, std::uint64_t upper) {
+    return make::cover(body(), q, q, upper, 53, Range(mpq_class(1, 2), mpq_class(1, 2)));
+}
 /// Of a single body.
 const std::string& lopsided() {
-    static const std::string text = body_text(
-        "3/1 3/1", "1/2 1/2", 3, make::full_cover(body(), 3, 3, Range(mpq_class(1, 2), mpq_class(1, 2))), 3,
-        "bridge 17b-6 3b-5 0 2");
+    static const std::string text =
+        body_text("3/1 3/1", "1/2 1/2", 3, cover_of_half(3, 3), 3, "bridge 17b-6 3b-5 0 2");
     return text;
 }
 
@@ -112,8 +106,7 @@ TEST_CASE("scene body: true covers and witnesses of a lopsided rod are accepted,
     for (const char* wrong : {"bridge 17b-6 3b-5 1 2", "bridge 17b-6 3b-5 0 3", "bridge 17b-6 3b-5 0 1",
                               "bridge 0b0 3b-5 0 2", "bridge 17b-6 0b0 0 2", "bridge 13b-3 3b-5 0 2"})
         CHECK(said(wrong) == "witness");
-    CHECK_THROWS_AS(make::full_cover(body(), 3, 2, Range(mpq_class(1, 2), mpq_class(1, 2))),
-                    std::runtime_error);
+    CHECK_THROWS_AS(cover_of_half(3, 2), std::runtime_error);
 }
 
 TEST_CASE("scene body: a cover may halve the range of rho, and no single rho") {
@@ -123,11 +116,11 @@ TEST_CASE("scene body: a cover may halve the range of rho, and no single rho") {
         Leaf leaf = leaf_of(chart, 3, lo);
         leaf.claimed = 3;
         leaf.box.hi[3] = middle;
-        cover += "chart " + std::string(body().charts[chart].name) + "\nsplit rho\n" +
-                 make::full_tree(body(), leaf);
+        cover +=
+            "chart " + std::string(body().charts[chart].name) + "\nsplit rho\n" + make::tree(body(), leaf);
         leaf.box.lo[3] = middle;
         leaf.box.hi[3] = hi;
-        cover += make::full_tree(body(), leaf);
+        cover += make::tree(body(), leaf);
     }
     const auto text_of = [](const std::string& rho, const std::string& trees) {
         return body_text("3/1 3/1", rho, 3, trees, 3, "corner 0b0 0b0 2 0");
@@ -167,7 +160,7 @@ TEST_CASE(
     "scene body: without mass of the rod the heavy end hits once, and the cover is that of the dumbbell") {
     const auto closes = [](const mpq_class& q, std::uint64_t upper) {
         try {
-            return !make::full_cover(body(), q, upper, Range(mpq_class(1, 2), mpq_class(1, 2))).empty();
+            return !cover_of_half(q, upper).empty();
         } catch (const std::runtime_error&) {
             return false;
         }
@@ -194,30 +187,6 @@ TEST_CASE("scene body: with any mass of the rod the heavy end may hit again") {
     CHECK_FALSE(most(2, 1, 0, mpq_class(1, 20)));
     CHECK(most(mpq_class(11, 5), 2));
     CHECK_FALSE(most(mpq_class(11, 5), 1));
-}
-
-TEST_CASE("scene body: the root boxes and the leaf outside are those of the format") {
-    const Box contacts = body().root(0, 3, mpq_class(13, 4)),
-              departures = body().root(1, 3, mpq_class(13, 4));
-    CHECK((contacts.lo == std::array<mpq_class, 4>{0, 0, 3} &&
-           contacts.hi == std::array<mpq_class, 4>{4, 8, mpq_class(13, 4)}));
-    CHECK((departures.lo == std::array<mpq_class, 4>{0, 0, 3} &&
-           departures.hi == std::array<mpq_class, 4>{2, 2, mpq_class(13, 4)}));
-    const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
-        Leaf leaf = leaf_of(chart, 10, mpq_class(1, 4));
-        leaf.opcode = outside;
-        leaf.box.lo[0] = x;
-        leaf.box.lo[1] = y;
-        return body().check(leaf, nullptr) == nullptr;
-    };
-    CHECK(holds(0, mpq_class(22, 7), 0));
-    CHECK_FALSE(holds(0, mpq_class(3141, 1000), 0));
-    CHECK(holds(0, 0, 5));  // rho (eta - 1) = 1, exactly
-    CHECK_FALSE(holds(0, 0, mpq_class(499, 100)));
-    CHECK(holds(1, mpq_class(8, 5), 0));
-    CHECK_FALSE(holds(1, mpq_class(3, 2), 1));
-    CHECK(holds(1, 0, 2));
-    CHECK_FALSE(holds(1, 0, mpq_class(199, 100)));
 }
 
 TEST_CASE("scene body: the line rho has two ratios, at most 1, of bodies that there are") {

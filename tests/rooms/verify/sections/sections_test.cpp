@@ -1,43 +1,21 @@
 // The sections full and plain and the scenes wedge and hybrid: true certificates are
 // accepted, false ones are not.
-#include <sys/wait.h>
-
 #include "catch.hpp"
 #include "rooms/verify/core/leaf_rows.hpp"
-#include "rooms/verify/core/make_certificate.hpp"
-#include "rooms/verify/sections/full_tree.hpp"
-#include "verify/program/verify.hpp"
+#include "rooms/verify/program/run_program.hpp"
 
 using namespace dumbbell_verify;
 using make::closed;
+using make::cover;
 using make::File;
-using make::full_cover;
 using make::mutated;
+using make::run;
 
 namespace {
 
 std::string outcome_in_scene(const std::string& text, const std::string& scene = "dumbbell",
                              unsigned precision = 0) {
-    const File file(text);
-    try {
-        Request settings;
-        settings.scene = scene;
-        settings.precision = precision;
-        verify(file.path(), settings);
-        return "verified";
-    } catch (const Failure& failure) {
-        return failure.code;
-    }
-}
-
-int code_of_run(const std::string& arguments, std::string* out = nullptr) {
-    const File text("");
-    const int status =
-        std::system((DUMBBELL_VERIFY_BIN " " + arguments + " >" + text.path() + " 2>/dev/null").c_str());
-    std::ostringstream all;
-    all << std::ifstream(text.path()).rdbuf();
-    if (out) *out = all.str();
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    return make::outcome(text, make::asking(scene, precision));
 }
 
 std::string header(const std::string& lemmas, const std::string& scene, const std::string& section,
@@ -50,7 +28,7 @@ std::string header(const std::string& lemmas, const std::string& scene, const st
 std::string full_text(const Section& section, const std::string& q, std::uint64_t upper) {
     return closed(header(std::string(section.lemmas), "dumbbell", "full", q, q) + "piece " + q + " " + q +
                   "\nbits 53\nupper " + std::to_string(upper) + "\n" +
-                  full_cover(section, mpq_class(q), upper) + "lower 0\n");
+                  cover(section, mpq_class(q), mpq_class(q), upper) + "lower 0\n");
 }
 
 std::string wedge_text(const std::string& scene, const std::string& lo, const std::string& hi, int upper,
@@ -74,30 +52,32 @@ TEST_CASE("sections full and plain: true covers are accepted, false ones are not
         const int n = is_plain ? 3 : 4;
         const std::string text = full_text(*section, q, static_cast<std::uint64_t>(n));
         const std::string most = "count " + std::to_string(n - 1);
+        const auto with = [&](const std::string& from, const std::string& to) {
+            return outcome_in_scene(mutated(text, from, to));
+        };
         CHECK(outcome_in_scene(text) == "verified");
         if (!is_plain) CHECK(outcome_in_scene(text, "dumbbell", 80) == "verified");
-        CHECK(outcome_in_scene(
-                  mutated(text, "upper " + std::to_string(n), "upper " + std::to_string(n - 1))) == "count");
-        CHECK(outcome_in_scene(mutated(text, "chart departure", "chart light")) == "syntax");
-        CHECK(outcome_in_scene(mutated(text, "split eta", "split lambda")) == "syntax");
-        CHECK(outcome_in_scene(mutated(text, most, most + " 0")) == "syntax");
-        CHECK(outcome_in_scene(mutated(text, most, "count 0")) == "count");
-        CHECK(outcome_in_scene(mutated(text, most, "count " + std::to_string(n))) == "count");
-        CHECK(outcome_in_scene(mutated(text, most, "outside")) == "outside");
-        CHECK(outcome_in_scene(mutated(text, most, "meets")) == "opcode");
-        CHECK(outcome_in_scene(mutated(text, most, "once")) == "opcode");
-        CHECK(outcome_in_scene(mutated(text, "once", "outside")) == "outside");
-        CHECK(outcome_in_scene(mutated(text, "once", most)) == "opcode");
-        CHECK(outcome_in_scene(mutated(text, "chart again\nonce\n", "")) == "syntax");
-        CHECK(outcome_in_scene(mutated(text, "section full", "section turning")) != "verified");
+        CHECK(with("upper " + std::to_string(n), "upper " + std::to_string(n - 1)) == "count");
+        CHECK(with("chart departure", "chart light") == "syntax");
+        CHECK(with("split eta", "split lambda") == "syntax");
+        CHECK(with(most, most + " 0") == "syntax");
+        CHECK(with(most, "count 0") == "count");
+        CHECK(with(most, "count " + std::to_string(n)) == "count");
+        CHECK(with(most, "outside") == "outside");
+        CHECK(with(most, "meets") == "opcode");
+        CHECK(with(most, "once") == "opcode");
+        CHECK(with("once", "outside") == "outside");
+        CHECK(with("once", most) == "opcode");
+        CHECK(with("chart again\nonce\n", "") == "syntax");
+        CHECK(with("section full", "section turning") != "verified");
     }
-    CHECK_THROWS_AS(full_cover(full(), 10, 3), std::runtime_error);
-    CHECK_THROWS_AS(full_cover(plain(), 2, 2), std::runtime_error);
+    CHECK_THROWS_AS(cover(full(), 10, 10, 3), std::runtime_error);
+    CHECK_THROWS_AS(cover(plain(), 2, 2, 2), std::runtime_error);
 }
 
-TEST_CASE("sections full and plain: the root boxes are those of the format") {
-    for (const Section* section : {&full(), &plain()})
-        for (std::size_t chart = 0; chart < 3; ++chart) {
+TEST_CASE("sections full, plain and body: the root boxes are those of the format") {
+    for (const Section* section : {&full(), &plain(), &body()})
+        for (std::size_t chart = 0; chart < section->charts.size(); ++chart) {
             const Box root = section->root(chart, 2, 3), wide = section->root(chart, 2, mpq_class(13, 4));
             const bool departs = section->charts[chart].name == "departure";
             CHECK((root.lo == wide.lo && root.lo == std::array<mpq_class, 4>{0, 0, 2}));
@@ -106,19 +86,21 @@ TEST_CASE("sections full and plain: the root boxes are those of the format") {
         }
 }
 
-TEST_CASE("sections full and plain: the leaf outside holds beyond the chart only") {
-    for (const Section* section : {&full(), &plain()}) {
+TEST_CASE("sections full, plain and body: the leaf outside holds beyond the chart only") {
+    for (const Section* section : {&full(), &plain(), &body()}) {
         const auto holds = [&](std::size_t chart, const mpq_class& x, const mpq_class& y) {
             Leaf leaf;
             leaf.chart = chart;
             leaf.opcode = outside;
             leaf.box = {{x, y, 10}, {4, 16, 10}};
+            if (section == &body()) leaf.box.lo[3] = leaf.box.hi[3] = mpq_class(1, 4);
             return section->check(leaf, nullptr) == nullptr;
         };
         CHECK(holds(0, mpq_class(22, 7), 0));
         CHECK_FALSE(holds(0, mpq_class(3141, 1000), 0));
-        CHECK(holds(0, 0, 11));  // r (eta - 1) = 1, exactly
-        CHECK_FALSE(holds(0, 0, mpq_class(1099, 100)));
+        const mpq_class end = section == &body() ? 5 : 11;  // rho (eta - 1) = 1, exactly
+        CHECK(holds(0, 0, end));
+        CHECK_FALSE(holds(0, 0, end - mpq_class(1, 100)));
         CHECK(holds(1, mpq_class(8, 5), 0));
         CHECK_FALSE(holds(1, mpq_class(3, 2), 1));
         CHECK(holds(1, 0, 2));
@@ -127,13 +109,11 @@ TEST_CASE("sections full and plain: the leaf outside holds beyond the chart only
 }
 
 TEST_CASE("section full: the heavy mass is proved to touch at most once, unless a piece is open") {
-    const std::string text = full_text(full(), "10/1", 4);
-    std::string out;
-    CHECK(code_of_run(File(text).path(), &out) == 0);
-    CHECK(out.find(" heavy-at-most=1 sha256=") != std::string::npos);
-    const std::string cover = full_cover(full(), 10, 4);
-    CHECK(code_of_run(File(mutated(text, "upper 4\n" + cover, "upper none\n")).path(), &out) == 3);
-    CHECK(out.find("heavy") == std::string::npos);
+    const std::string text = full_text(full(), "10/1", 4), trees = cover(full(), 10, 10, 4);
+    CHECK(make::has(run(File(text).path()), " heavy-at-most=1 sha256="));
+    const make::Run open = run(File(mutated(text, "upper 4\n" + trees, "upper none\n")).path());
+    CHECK(open.code == 3);
+    CHECK_FALSE(make::has(open, "heavy"));
 }
 
 TEST_CASE("section full: the leaf once needs a narrow range of ratios") {
@@ -207,16 +187,11 @@ TEST_CASE("combinations of words that are not in the table are unsupported") {
     CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
     CHECK(outcome_in_scene(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
     const File file(mutated(text, "section turning", "section full"));
-    CHECK(code_of_run("--scene wedge " + file.path()) == 3);
+    CHECK(run("--scene wedge " + file.path()).code == 3);
 }
 
 TEST_CASE("a leaf of each section is explained in its own words") {
     const File w(wedge10()), d(full_text(full(), "10/1", 4));
-    std::string out;
-    CHECK(code_of_run("--explain 1:wedge.000 --scene wedge " + w.path(), &out) == 0);
-    CHECK(out.find("G_w <= a for X: holds") != std::string::npos);
-    const Section& s = full();
-    CHECK(s.charts.size() == 3);
-    CHECK(code_of_run("--explain 1:contact " + d.path(), &out) == 0);
-    CHECK(out.find("1 + a <= U: holds") != std::string::npos);
+    CHECK(make::has(run("--explain 1:wedge.000 --scene wedge " + w.path()), "G_w <= a for X: holds"));
+    CHECK(make::has(run("--explain 1:contact " + d.path()), "1 + a <= U: holds"));
 }

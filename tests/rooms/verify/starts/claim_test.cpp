@@ -3,10 +3,10 @@
 #include "make_file.hpp"
 #include "verify/starts/grammar.hpp"
 
-using make::closed_initial;
+using make::closed;
 using make::falling;
 using make::initial_header;
-using make::mutated_initial;
+using make::mutated;
 using make::outcome;
 
 namespace {
@@ -37,13 +37,12 @@ std::string with_tree(const std::vector<std::string>& lines) {
         most = std::max(most, b);
     }
     const std::string head = falling().substr(0, falling().find("\nbetween ") + 1);
-    return closed_initial(head + "between " + std::to_string(least) + " " + std::to_string(most) + "\n" +
-                          tree);
+    return closed(head + "between " + std::to_string(least) + " " + std::to_string(most) + "\n" + tree);
 }
 
 /// About all incoming trajectories.
 std::string incoming(const std::string& tree, const std::string& bounds, const std::string& ratio) {
-    return closed_initial(
+    return closed(
         "dumbbell-certificate 1\ngenerator test 1.0\nlemmas 1\nscene dumbbell\n"
         "section none\nclaim incoming\nratio " +
         ratio + "\nbits 53\nbetween " + bounds + "\n" + tree);
@@ -83,7 +82,7 @@ TEST_CASE("the same tree says nothing of another box") {
                                    {"ydot -1/1 -1/1", "ydot 1/1 1/1"},
                                    {"ratio 10/1 10/1", "ratio 2/1 10/1"},
                                    {"ratio 10/1 10/1", "ratio 10/1 20/1"}}) {
-        const std::string code = outcome(mutated_initial(falling(), from, to));
+        const std::string code = outcome(mutated(falling(), from, to));
         INFO(to << ": " << code);
         CHECK((code == "exactly" || code == "between"));
     }
@@ -91,8 +90,8 @@ TEST_CASE("the same tree says nothing of another box") {
 
 TEST_CASE("`exactly 0` is for starts that leave") {
     const auto zero = [](const std::string& phidot, const std::string& y, const std::string& ydot) {
-        return outcome(closed_initial(initial_header("10/1 10/1", "1/1 2/1", phidot, y, ydot) +
-                                      "between 0 0\nexactly 0\n"));
+        return outcome(
+            closed(initial_header("10/1 10/1", "1/1 2/1", phidot, y, ydot) + "between 0 0\nexactly 0\n"));
     };
     CHECK(zero("-1/1 1/1", "1/1 1/1", "1/1 2/1") == "verified");  // steep (the slope is ydot (1 + r))
     CHECK(zero("-9/10 1/2", "1/5 1/5", "9/10 1/1") == "verified");
@@ -189,9 +188,9 @@ TEST_CASE("numbers beyond all bounds are refused without harm") {
             settings.precision = precision;
             // The clearance falls from the beginning on: an early t0 is no lie.
             const bool true_claim = to.starts_with("between 1 9999") || to.starts_with("91b-400");
-            std::string text = mutated_initial(falling(), from, to);
+            std::string text = mutated(falling(), from, to);
             if (to.find("99999999999 heavy") != std::string::npos)
-                text = mutated_initial(text, "between 1 5\n", "between 1 999999999999999999\n");
+                text = mutated(text, "between 1 5\n", "between 1 999999999999999999\n");
             INFO(to.substr(0, 60));
             CHECK((outcome(text, settings) == "verified") == true_claim);
         }

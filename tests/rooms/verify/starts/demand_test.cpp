@@ -79,8 +79,8 @@ TEST_CASE("initial conditions: a part of the box has the bounds and the share of
               .ends_with(" not-demanded=phi,phidot,y,ydot,ratio,max,min,decided"));
     CHECK(run(file.path()).last().find("not-demanded") == std::string::npos);
     const File open(
-        make::closed_initial(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
-                             "between 0 none\nsplit phi\nopen\nbetween 1 99\n"));
+        make::closed(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
+                     "between 0 none\nsplit phi\nopen\nbetween 1 99\n"));
     CHECK(run("--claim initial-conditions --phi 0:1/2 " + open.path()).code == 3);
     CHECK(run("--claim initial-conditions --phi 1/2:1 --min 1 --max 99 " + open.path()).code == 0);
     CHECK(run("--claim initial-conditions --phi 0.4:1 --min 1 " + open.path()).code == 1);

@@ -4,10 +4,10 @@
 #include "catch.hpp"
 #include "make_file.hpp"
 
-using make::closed_initial;
+using make::closed;
 using make::falling;
 using make::initial_header;
-using make::mutated_initial;
+using make::mutated;
 using make::outcome;
 using make::replaced;
 
@@ -15,11 +15,11 @@ namespace {
 
 /// Starts that leave: steeply, with phi in [0, 1].
 std::string leaving(const std::string& tree, const std::string& bounds = "between 0 0") {
-    return closed_initial(initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") + bounds +
-                          "\n" + tree);
+    return closed(initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") + bounds + "\n" +
+                  tree);
 }
 std::string initial_mutant(const std::string& from, const std::string& to) {
-    return outcome(mutated_initial(falling(), from, to));
+    return outcome(mutated(falling(), from, to));
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ TEST_CASE("each value has one spelling") {
     CHECK(initial_mutant("phi -1/1 1/1", "psi -1/1 1/1") == "syntax");
     CHECK(initial_mutant("phi -1/1 1/1", "phi -4/1 4/1") == "number");
     const auto wide = [](const std::string& phi) {
-        return outcome(closed_initial(initial_header("2/1 2/1", phi, "1/2 1/1", "1/1 2/1", "1/1 2/1") +
-                                      "between 0 none\nopen\n"));
+        return outcome(closed(initial_header("2/1 2/1", phi, "1/2 1/1", "1/1 2/1", "1/1 2/1") +
+                              "between 0 none\nopen\n"));
     };
     CHECK(wide("-3/1 4/1") == "verified");
     CHECK(wide("-3/1 4000001/1000000") == "number");
@@ -166,11 +166,11 @@ TEST_CASE("the shares of a file are those of its leaves") {
 
 TEST_CASE("boxes at rest or in the floor are refused") {
     CHECK(initial_mutant("ydot -1/1 -1/1", "ydot -1/1 0/1") != "verified");
-    CHECK(outcome(mutated_initial(mutated_initial(falling(), "phidot 1/100 1/100", "phidot 0/1 1/100"),
-                                  "ydot -1/1 -1/1", "ydot -1/1 0/1")) == "rest");
+    CHECK(outcome(mutated(mutated(falling(), "phidot 1/100 1/100", "phidot 0/1 1/100"), "ydot -1/1 -1/1",
+                          "ydot -1/1 0/1")) == "rest");
     const auto still = [](const std::string& phi, const std::string& phidot) {
-        return outcome(closed_initial(initial_header("10/1 10/1", phi, phidot, "1/1 1/1", "0/1 0/1") +
-                                      "between 0 none\nopen\n"));
+        return outcome(closed(initial_header("10/1 10/1", phi, phidot, "1/1 1/1", "0/1 0/1") +
+                              "between 0 none\nopen\n"));
     };
     CHECK(still("1/1 2/1", "0/1 0/1") == "rest");
     CHECK(still("0/1 0/1", "1/2 1/2") == "verified");
@@ -178,15 +178,15 @@ TEST_CASE("boxes at rest or in the floor are refused") {
     CHECK(initial_mutant("y 3/2 3/2", "y 1/100 1/100") == "floor");
     CHECK(initial_mutant("y 3/2 3/2", "y -3/2 3/2") == "floor");
     const auto upright = [](const std::string& y) {  // the heavy mass is lowest, at height y - sin(phi)/11
-        return closed_initial(initial_header("10/1 10/1", "1/1 2/1", "1/2 1/1", y + " 2/1", "1/1 2/1") +
-                              "between 0 0\nexactly 0\n");
+        return closed(initial_header("10/1 10/1", "1/1 2/1", "1/2 1/1", y + " 2/1", "1/1 2/1") +
+                      "between 0 0\nexactly 0\n");
     };
     CHECK(outcome(upright("1/11")) == "floor");
     CHECK(outcome(upright("1/10")) == "verified");
     // Exactly on the floor, and above it by less than a double tells.
     const auto level = [](const std::string& y) {
-        return closed_initial(initial_header("10/1 10/1", "0/1 0/1", "1/2 1/2", y + " 1/1", "1/1 1/1") +
-                              "between 0 none\nopen\n");
+        return closed(initial_header("10/1 10/1", "0/1 0/1", "1/2 1/2", y + " 1/1", "1/1 1/1") +
+                      "between 0 none\nopen\n");
     };
     CHECK(outcome(level("0/1")) == "floor");
     CHECK(outcome(level("1/100000000000000000000000000000000000000000000000000")) == "verified");

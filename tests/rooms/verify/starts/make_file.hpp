@@ -1,23 +1,8 @@
-// Files about initial conditions for tests: one that `dumbbell trace --subdivide` wrote, and its mutants with
-// a trailer that fits, so that nothing but the change itself is wrong.
+// Files about initial conditions for tests: one that `dumbbell trace --subdivide` wrote.
 #pragma once
 #include "rooms/verify/core/make_certificate.hpp"
-#include "verify/core/text.hpp"
-#include "verify/program/verify.hpp"
 
 namespace make {
-
-/// The totals and the hash that belong to this text.
-inline std::string closed_initial(const std::string& text) {
-    const std::size_t tree = text.find('\n', text.find("\nbetween ") + 1) + 1;
-    std::map<std::string, int> count;
-    std::istringstream in(text.substr(tree));
-    for (std::string line; std::getline(in, line);) ++count[line.substr(0, line.find(' '))];
-    std::string all = text;
-    for (const std::string kind : {"split", "exactly", "between", "open"})
-        all += "total " + kind + " " + std::to_string(count[kind]) + "\n";
-    return hashed(all);
-}
 
 inline std::string initial_header(const std::string& ratio, const std::string& phi, const std::string& phidot,
                                   const std::string& y, const std::string& ydot) {
@@ -28,7 +13,7 @@ inline std::string initial_header(const std::string& ratio, const std::string& p
 
 /// phi in [-1, 1], phidot = 1/100, y = 3/2, ydot = -1 at q = 10: all kinds of leaves but `open`.
 inline const std::string& falling() {
-    static const std::string text = closed_initial(
+    static const std::string text = closed(
         initial_header("10/1 10/1", "-1/1 1/1", "1/100 1/100", "3/2 3/2", "-1/1 -1/1") +
         "between 1 5\nsplit phi\nsplit phi\nsplit phi\nsplit phi\nsplit phi\n"
         "between 1 5 light 189b-8 395b-9\nbetween 1 5 light 197b-8 207b-8\nsplit phi\n"
@@ -38,28 +23,6 @@ inline const std::string& falling() {
         "exactly 2 heavy 3001b-11 189b-7\nbetween 1 2 heavy 745b-9 1501b-10\n"
         "exactly 1 heavy 91b-6 373b-8\n");
     return text;
-}
-
-/// The same with the trailer made anew.
-inline std::string mutated_initial(const std::string& text, const std::string& from, const std::string& to) {
-    const std::string changed = replaced(text, from, to);
-    return closed_initial(changed.substr(0, changed.find("total split")));
-}
-
-/// Why the file is not verified; its code is "verified" if it is.
-inline dumbbell_verify::Failure failure(
-    const std::string& bytes, const dumbbell_verify::Request& settings = dumbbell_verify::Request()) {
-    const File file(bytes);
-    try {
-        dumbbell_verify::verify(file.path(), settings);
-        return {dumbbell_verify::Verdict::verified, 0, "verified", ""};
-    } catch (const dumbbell_verify::Failure& failure) {
-        return failure;
-    }
-}
-inline std::string outcome(const std::string& bytes,
-                           const dumbbell_verify::Request& settings = dumbbell_verify::Request()) {
-    return failure(bytes, settings).code;
 }
 
 }  // namespace make

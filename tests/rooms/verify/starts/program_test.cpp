@@ -5,7 +5,7 @@
 
 using make::falling;
 using make::File;
-using make::mutated_initial;
+using make::mutated;
 using make::Run;
 using make::run;
 
@@ -14,7 +14,7 @@ const std::string ask = "--claim initial-conditions ";
 }
 
 TEST_CASE("initial conditions: the verdict names the box, the bounds and the share") {
-    const File good(falling()), bad(mutated_initial(falling(), "exactly 1 heavy", "exactly 2 heavy"));
+    const File good(falling()), bad(mutated(falling(), "exactly 1 heavy", "exactly 2 heavy"));
     const Run verified = run(good.path());
     CHECK(verified.code == 0);
     CHECK(verified.last() ==
@@ -50,11 +50,11 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     CHECK(code("--claim collisions") == 1);
     CHECK(code("--claim other") == 2);
     const File open(
-        make::closed_initial(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
-                             "between 0 none\nopen\n"));
+        make::closed(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
+                     "between 0 none\nopen\n"));
     CHECK(run(open.path()).last().find(" collisions=0:none decided=0.000000000000 ") != std::string::npos);
     CHECK(run(ask + "--max 999 " + open.path()).code == 1);
-    const File ten(make::closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, "")));
+    const File ten(make::ten());
     CHECK(run("--claim collisions --max 4 " + ten.path()).code == 0);
     CHECK(run(ask + "--max 4 " + ten.path()).code == 1);
 }
@@ -86,8 +86,8 @@ TEST_CASE("initial conditions: with just too little memory for a deep tree that 
     for (int i = 0; i < 400; ++i) deep += "split phi\nsplit phidot\nsplit y\nsplit ydot\nsplit q\n";
     for (int i = 0; i <= 2000; ++i) deep += "open\n";
     const std::string text =
-        make::closed_initial(make::initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") +
-                             "between 0 none\n" + deep);
+        make::closed(make::initial_header("2/1 3/1", "0/1 1/1", "1/2 1/1", "1/1 2/1", "1/1 2/1") +
+                     "between 0 none\n" + deep);
     for (const std::string& bytes : {text, make::gzipped(text)}) {
         const File file(bytes);
         const auto code = [&](int kilobytes) {
@@ -121,9 +121,9 @@ TEST_CASE("initial conditions: --shares prints bounds from the leaves, of such a
     CHECK(run("--json " + file.path()).out.find("shares") == std::string::npos);
     CHECK(run("--shares " + file.path() + " " + file.path()).code == 2);
     CHECK(run("--shares --quiet " + file.path()).code == 2);
-    const File ten(make::closed(make::header("10/1", "10/1", 1) + make::piece(10, 10, 4, 0, "")));
+    const File ten(make::ten());
     CHECK(run("--shares " + ten.path()).code == 2);
     CHECK(run("--shares " + ten.path()).last().find("dumbbell trace --subdivide") != std::string::npos);
-    const File bad(mutated_initial(falling(), "exactly 1 heavy", "exactly 2 heavy"));
+    const File bad(mutated(falling(), "exactly 1 heavy", "exactly 2 heavy"));
     CHECK(run("--shares " + bad.path()).out.find("proved bounds") == std::string::npos);
 }
