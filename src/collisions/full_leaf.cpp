@@ -14,18 +14,18 @@ struct Bounds {
     flight::Body<I> body;
 };
 
-/// One body, with Q rho = 1 (L75).
+/// Dumbbells, or one body with Q rho = 1 (L75).
 bool is_massless(const Box& box) {
-    return Rational(box.rho_lo) * Rational(box.q_lo) == 1 && Rational(box.rho_hi) * Rational(box.q_hi) == 1;
+    return approximate(box.rho_hi) == 0 ||
+           Rational(box.rho_lo) * Rational(box.q_lo) == 1 && Rational(box.rho_hi) * Rational(box.q_hi) == 1;
 }
 
 template <class I>
 flight::Body<I> body_of(const Box& box) {
     const I r = hull(box.q_hi.inverse<I>(), box.q_lo.inverse<I>());
-    if (approximate(box.rho_hi) == 0) {
-        return r;
-    }
-    return {hull(box.rho_lo.enclosure<I>(), box.rho_hi.enclosure<I>()), r, is_massless(box)};
+    return is_massless(box)
+               ? flight::Body<I>::massless(r)
+               : flight::Body<I>::with_mass(hull(box.rho_lo.enclosure<I>(), box.rho_hi.enclosure<I>()), r);
 }
 
 template <class I>

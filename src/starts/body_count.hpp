@@ -21,12 +21,12 @@ namespace dumbbell::starts {
 /// that plain intervals cannot exclude, and at least those that are certain.
 template <class I>
 [[nodiscard]] LaterCount body_collisions_behind(const Outbound<I>& d, const I& yhat,
-                                                const flight::Body<I>& body, Mass left) {
+                                                const flight::Body<I>& body, flight::End left) {
     constexpr long cap = 1000, most_steps = 2000;
     const Interrupted too_long = [steps = 0L]() mutable { return ++steps > most_steps; };
     const I kappa = flight::detail::in_play(d.slope);
     long least = 0, most = 0;
-    if (left == Mass::heavy) {
+    if (left == flight::End::heavy) {
         least = certain_count(flight::PlainRay<I>{d.height, d.slope}, body, cap);
         most = plain_count(flight::PlainRay<I>{d.height, kappa}, body, cap, too_long);
     } else {
@@ -39,12 +39,10 @@ template <class I>
 
 /// The same of states that leave a contact of `left`.
 template <class I>
-[[nodiscard]] LaterCount body_collisions_behind(const State<I>& s, Mass left) {
+[[nodiscard]] LaterCount body_collisions_behind(const State<I>& s, flight::End left) {
     bool leaves = certainly_too_steep(s);
     const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
-    return leaves ? LaterCount{0, 0}
-           : d    ? body_collisions_behind(*d, s.yhat, body_of(s), left)
-                  : LaterCount{};
+    return leaves ? LaterCount{0, 0} : d ? body_collisions_behind(*d, s.yhat, s.body, left) : LaterCount{};
 }
 
 }  // namespace dumbbell::starts

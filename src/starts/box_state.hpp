@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "starts/certificate.hpp"
 #include "starts/jet.hpp"
 #include "starts/state.hpp"
@@ -12,14 +14,9 @@ namespace dumbbell::starts {
 /// rest.
 void require_in_play(const Box& box);
 
-/// The state with these quantities: yhat = y (1 + rho), r = 1/q. `rho`: of bodies.
-template <class S>
-[[nodiscard]] State<S> state_of(const S& phi, const S& phidot, const S& y, const S& ydot, const S& q,
-                                const S& rho, bool is_body) {
-    const S r = S(1) / q;
-    const S scale = S(1) + (is_body ? rho : r);
-    return {phi, y * scale, phidot, ydot * scale, r, S(0), is_body ? rho : r, is_body};
-}
+/// Whether q can only be 1. Then r is 1 itself, whatever the division loses: no trajectory has more than two
+/// collisions (L7).
+[[nodiscard]] inline bool has_equal_masses(const Box& box) { return box.upper(Axis::ratio) == 1; }
 
 /// The rho of a box of bodies; of others any number.
 template <class I>
@@ -27,33 +24,38 @@ template <class I>
     return enclose<I>(box.rho.value_or(1));
 }
 
-/// Whether q can only be 1. Then r is 1 itself, whatever the division loses: no trajectory has more than two
-/// collisions (L7).
-[[nodiscard]] inline bool has_equal_masses(const Box& box) { return box.upper(Axis::ratio) == 1; }
+/// The state whose quantities `side` gives by the numbers of their axes: yhat = y (1 + rho), and r = 1/q, as
+/// far as `limit` leaves it. `rho`: of bodies.
+template <class S, class Side, class Limit = std::identity>
+[[nodiscard]] State<S> state_of(const Box& box, const Side& side, const S& rho, const Limit& limit = {}) {
+    const S inverse = S(1) / side(4);
+    const S r = has_equal_masses(box) ? S(1) : limit(inverse);
+    const S scale = S(1) + (box.rho ? rho : inverse);
+    const auto body = box.rho ? flight::Body<S>::with_mass(rho, r) : flight::Body<S>::massless(r);
+    return {side(0), side(2) * scale, side(1), side(3) * scale, body, S(0)};
+}
+
+/// All values of a quantity of the box.
+template <class I>
+[[nodiscard]] I side_of(const Box& box, std::size_t i) {
+    return hull(enclose<I>(box.lo.at(i)), enclose<I>(box.hi.at(i)));
+}
 
 /// All states of the box, in natural form.
 template <class I>
 [[nodiscard]] State<I> natural_state(const Box& box) {
-    const auto side = [&](std::size_t i) { return hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i])); };
-    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4), rho_of<I>(box), box.rho.has_value());
-    s.r = has_equal_masses(box) ? I(1) : s.r;
-    return s;
+    return state_of(
+        box, [&](std::size_t i) { return side_of<I>(box, i); }, rho_of<I>(box));
 }
 
 /// All states of the box as functions of the five quantities.
 template <class I>
 class BoxJets {
   public:
-    explicit BoxJets(const Box& box)
-        : equal_masses_(has_equal_masses(box)),
-          is_body_(box.rho.has_value()),
-          rho_(rho_of<I>(box)),
-          displacement_(Gradient<I>::Zero()) {
+    explicit BoxJets(const Box& box) : box_(box), displacement_(Gradient<I>::Zero()) {
         for (std::size_t i = 0; i < axis_count; ++i) {
-            centre_[i] = enclose<I>((box.lo[i] + box.hi[i]) / 2);
-            range_[i] = hull(enclose<I>(box.lo[i]), enclose<I>(box.hi[i]));
             if (box.lo[i] != box.hi[i]) {
-                displacement_[static_cast<int>(i)] = range_[i] - centre_[i];
+                displacement_[static_cast<int>(i)] = side_of<I>(box, i) - centre(i);
             }
         }
     }
@@ -64,19 +66,15 @@ class BoxJets {
     /// Valid as long as this object.
     [[nodiscard]] State<Jet<I>> state() const {
         const auto side = [&](std::size_t i) {
-            return Jet<I>::parameter(static_cast<int>(i), centre_[i], range_[i], displacement_);
+            return Jet<I>::parameter(static_cast<int>(i), centre(i), side_of<I>(box_, i), displacement_);
         };
-        State<Jet<I>> s = state_of(side(0), side(1), side(2), side(3), side(4), Jet<I>(rho_), is_body_);
-        s.r = equal_masses_ ? Jet<I>(1) : s.r;
-        return s;
+        return state_of(box_, side, Jet<I>(rho_of<I>(box_)));
     }
 
   private:
-    bool equal_masses_;
-    bool is_body_;
-    I rho_;
-    std::array<I, axis_count> centre_;
-    std::array<I, axis_count> range_;
+    [[nodiscard]] I centre(std::size_t i) const { return enclose<I>((box_.lo.at(i) + box_.hi.at(i)) / 2); }
+
+    Box box_;
     Gradient<I> displacement_;
 };
 

@@ -63,23 +63,23 @@ template <class I>
     return std::nullopt;
 }
 
-/// The angle phi at which `mass` touches, for all states of the box, all of whose contacts lie in `times`.
+/// The angle phi at which `end` touches, for all states of the box, all of whose contacts lie in `times`.
 ///
 /// The mean value form of phi' = phi + phidot T. With N = N.v the rate of the clearance at the contact (N < 0
 /// on `times`), implicit differentiation of clearance(T) = 0 gives d phi'/d phi = yhatdot / N, d phi'/d
 /// phidot = T yhatdot / N, d phi'/d yhat = -phidot / N, d phi'/d yhatdot = -phidot T / N and d phi'/d r = 0
 /// (light), phidot sin phi' / N (heavy).
 template <class I>
-[[nodiscard]] I contact_angle(const State<I>& s, Mass mass, const I& times) {
+[[nodiscard]] I contact_angle(const State<I>& s, flight::End end, const I& times) {
     const I natural = s.phi + s.phidot * times;
     const State<I> m = detail::middle_of(s);
     const I t = midpoint(times);
-    const I centre = intersection(times, t - clearance(m, mass, t) / clearance_rate(m, mass, times));
-    const I rate = clearance_rate(s, mass, times);
+    const I centre = intersection(times, t - clearance(m, end, t) / clearance_rate(m, end, times));
+    const I rate = clearance_rate(s, end, times);
     I change = s.yhatdot * ((s.phi - m.phi) + times * (s.phidot - m.phidot)) -
                s.phidot * ((s.yhat - m.yhat) + times * (s.yhatdot - m.yhatdot));
-    if (mass == Mass::heavy) {
-        change = change + s.phidot * sin_cos(natural).sin * (s.heavy_height() - m.heavy_height());
+    if (end == flight::End::heavy) {
+        change = change + s.phidot * sin_cos(natural).sin * (s.body.rho - m.body.rho);
     }
     return intersection(natural, m.phi + m.phidot * centre + change / rate);
 }
@@ -94,63 +94,45 @@ template <class I>
 /// derivatives are -(c^2 + r)^2 or -(1 + r c^2)^2, and -+2 (1 + r m^2) or -+2 (n^2 + r), times c^2 + r or
 /// 1 + r c^2. Of a body the heavy end's 1 + r c^2 and 1 - r c^2 are g + rho c^2 and g - rho c^2 (L77).
 struct FirstReflection {
-    bool light;
+    flight::End end;
     bool falling;
 
     template <class I>
-    [[nodiscard]] I rest_of(const I& c, const flight::Body<I>& body) const {
-        return light ? body.r - sqr(c) : body.g - body.rho * sqr(c);
-    }
-    template <class I>
-    [[nodiscard]] I denominator(const I& x, const I& c, const flight::Body<I>& body) const {
-        const I two_c = I(light == falling ? 2 : -2) * c;
-        const I rest = rest_of(c, body);
-        return falling ? x * rest + two_c : rest + x * two_c;
-    }
-    template <class I>
-    [[nodiscard]] I numerator(const I& x, const I& c, const flight::Body<I>& body) const {
-        const I turn = I(light ? -2 : 2) * body.r * c;
-        const I rest = rest_of(c, body);
-        return falling ? rest + turn * x : turn - x * rest;
-    }
-    template <class I>
-    [[nodiscard]] I slope(const I& x, const I& c, const flight::Body<I>& body) const {
-        return numerator(x, c, body) / denominator(x, c, body);
+    [[nodiscard]] flight::LightReflection<I> at(const I& x, const I& c, const flight::Body<I>& body) const {
+        if (!falling) {
+            return reflect_at_end(end, x, c, body);
+        }
+        const I rest = body.weight(end) - body.leveraged(end, sqr(c));
+        return {rest - turned(end, I(2) * body.r * c) * x, x * rest + turned(end, I(2) * c)};
     }
     /// Over all x (m or n) and c of these intervals, from two opposite ends. Precondition: the denominator
     /// keeps its sign.
     template <class I>
     [[nodiscard]] I slopes(const I& x, const I& c, const flight::Body<I>& body) const {
-        const I least_c = light ? high_end(c) : low_end(c);
-        const I greatest_c = light ? low_end(c) : high_end(c);
-        return hull(slope(high_end(x), least_c, body), slope(low_end(x), greatest_c, body));
+        const bool light = end == flight::End::light;
+        const auto low = at(high_end(x), light ? high_end(c) : low_end(c), body);
+        const auto high = at(low_end(x), light ? low_end(c) : high_end(c), body);
+        return hull(low.numerator / low.denominator, high.numerator / high.denominator);
     }
 };
 
 /// What a ray does that meets the bridge, over a box of rays: `ray` is a way out of a light wall, all of
 /// whose states touch the bridge at a distance x in [0, pi] behind the corner. Nothing if that, or the
 /// direction after it, is not certain.
-///
-/// With c = cos x the reflected slope along the ray's direction is (2 r c - slope (1 - r c^2)) / (1 - r c^2 +
-/// 2 slope c), the denominator having the sign of the new direction; where it keeps its sign the quotient
-/// decreases with the slope and increases with c: lemma L60 (c).
 template <class I>
-[[nodiscard]] std::optional<Outbound<I>> off_the_bridge(const Outbound<I>& ray, const I& r) {
+[[nodiscard]] std::optional<Outbound<I>> off_the_bridge(const Outbound<I>& ray, const flight::Body<I>& body) {
+    const I& r = body.rho;
     const auto at = bridge_contacts(ray.height / r, ray.slope / r);
     if (!at) {
         return std::nullopt;
     }
-    const auto forward = [&](const I& k, const I& c) { return I(1) - r * sqr(c) + I(2) * k * c; };
-    const auto reflected = [&](const I& k, const I& c) {
-        return (I(2) * r * c - k * (I(1) - r * sqr(c))) / forward(k, c);
-    };
-    const I onward = forward(ray.slope, at->cosine);
+    const FirstReflection reflection{flight::End::heavy, false};
+    const I onward = reflection.at(ray.slope, at->cosine, body).denominator;
     const bool back = certainly_positive(-onward);
     if (!back && !certainly_positive(onward)) {
         return std::nullopt;
     }
-    const I along = hull(reflected(high_end(ray.slope), low_end(at->cosine)),
-                         reflected(low_end(ray.slope), high_end(at->cosine)));
+    const I along = reflection.slopes(ray.slope, at->cosine, body);
     const I run = back ? at->x : pi<I>() - at->x;
     const I rise = back ? -along : along;
     return Outbound<I>{back ? -ray.direction : ray.direction, ray.corner + (back ? 0 : ray.direction), run,
@@ -165,10 +147,10 @@ template <class I>
 /// x increases with the height c at that corner and with the slope, the reflected slope (2) of L4 increases
 /// with the slope and decreases with w = cos x, however steeply the ray falls (L60 (d)).
 template <class I>
-[[nodiscard]] std::optional<Outbound<I>> off_the_light_wall(const Outbound<I>& ray, const I& r, Mass left,
-                                                            bool& leaves) {
+[[nodiscard]] std::optional<Outbound<I>> off_the_light_wall(const Outbound<I>& ray, const I& r,
+                                                            flight::End left, bool& leaves) {
     leaves = false;
-    const bool over_bridge = left == Mass::light;
+    const bool over_bridge = left == flight::End::light;
     const I c = over_bridge ? ray.height + ray.slope * pi<I>() : ray.height;
     if (!certainly_positive(c) || !certainly_less(ray.slope, I(1))) {
         return std::nullopt;
@@ -199,8 +181,9 @@ inline constexpr long most_counted_steps = 64;
 /// The collisions after a contact of `left`: by the monotone counts, if necessary after some steps from wall
 /// to wall; the best bounds of all steps, or of those before an interruption.
 template <class I>
-[[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const I& r, Mass left,
+[[nodiscard]] LaterCount collisions_behind(Outbound<I> ray, const flight::Body<I>& body, flight::End left,
                                            const Interrupted& interrupted) {
+    const I& r = body.r;
     LaterCount best;
     long counted = 0;
     for (long steps = 0;; ++steps) {
@@ -215,9 +198,9 @@ template <class I>
         if (best.exact() || steps == most_steps || counted > most_counted_steps || interrupted()) {
             return best;
         }
-        const bool to_wall = left == Mass::heavy || certainly_passes_bridge(ray, r);
+        const bool to_wall = left == flight::End::heavy || certainly_passes_bridge(ray, r);
         bool leaves = false;
-        const auto next = to_wall ? off_the_light_wall(ray, r, left, leaves) : off_the_bridge(ray, r);
+        const auto next = to_wall ? off_the_light_wall(ray, r, left, leaves) : off_the_bridge(ray, body);
         if (leaves) {
             return {steps + 1, steps + 1};
         }
@@ -225,27 +208,25 @@ template <class I>
             return best;
         }
         ray = *next;
-        left = to_wall ? Mass::light : Mass::heavy;
+        left = to_wall ? flight::End::light : flight::End::heavy;
     }
 }
 
-/// The collisions after the first contact, with `mass` at a time in `times`, of states in the air. Nothing
+/// The collisions after the first contact, with `end` at a time in `times`, of states in the air. Nothing
 /// is certain unless they fall, or turn in one direction.
 template <class I>
-[[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, Mass mass, const I& times,
+[[nodiscard]] LaterCount collisions_behind_first(const State<I>& s, flight::End end, const I& times,
                                                  const Interrupted& interrupted = never) {
     const bool falling = certainly_positive(-s.yhatdot);
     const bool backwards = certainly_positive(-s.phidot);
     if (!falling && !backwards && !certainly_positive(s.phidot)) {
         return {};
     }
-    const I phi = contact_angle(s, mass, times);
+    const I phi = contact_angle(s, end, times);
     const SinCos<I> at = sin_cos(phi);
-    const FirstReflection reflection{mass == Mass::light, falling};
+    const FirstReflection reflection{end, falling};
     const I x = falling ? s.phidot / -s.yhatdot : s.yhatdot / s.phidot;
-    const flight::Body<I> body = body_of(s);
-    const I denominator = reflection.denominator(x, at.cos, body);
-    const I rise = reflection.numerator(x, at.cos, body);
+    const auto [rise, denominator] = reflection.at(x, at.cos, s.body);
     if (certainly_at_most(magnitude(denominator), !falling && backwards ? -rise : rise)) {
         return {0, 0};  // L3, whatever the direction
     }
@@ -254,14 +235,14 @@ template <class I>
         return {};
     }
     const bool right = positive != (!falling && backwards);
-    const Way way = way_out(phi, hump_of(phi), mass, right);
+    const Way way = way_out(phi, hump_of(phi), end, right);
     if (way != Way::inward) {
         return way == Way::outward ? LaterCount{0, 0} : LaterCount{};
     }
-    const I yhat = mass == Mass::light ? -at.sin : body.rho * at.sin;
-    const auto ray = outbound(phi, yhat, reflection.slopes(x, at.cos, body), right);
-    return s.is_body ? body_collisions_behind(ray, yhat, body, mass)
-                     : collisions_behind(ray, s.r, mass, interrupted);
+    const I yhat = s.body.contact_height(end, at.sin);
+    const auto ray = outbound(phi, yhat, reflection.slopes(x, at.cos, s.body), right);
+    return s.body.is_massless ? collisions_behind(ray, s.body, end, interrupted)
+                              : body_collisions_behind(ray, yhat, s.body, end);
 }
 
 }  // namespace dumbbell::starts

@@ -45,7 +45,7 @@ Over over_hump(const I& height, const I& slope, const I& size, const I& extent) 
 }
 
 template <class I>
-Suspicion after_contact(const State<I>& s, Mass left) {
+Suspicion after_contact(const State<I>& s, flight::End left) {
     bool leaves = false;
     const auto d = outbound(s, left, leaves);
     if (!d) {
@@ -54,8 +54,8 @@ Suspicion after_contact(const State<I>& s, Mass left) {
     Suspicion result;
     I c = d->height;
     result.corner = may_vanish(c);
-    if (left == Mass::light) {
-        const Over bridge = over_hump(c, d->slope, s.heavy_height(), pi<I>());
+    if (left == flight::End::light) {
+        const Over bridge = over_hump(c, d->slope, s.body.rho, pi<I>());
         result.graze = bridge == Over::unknown;
         if (bridge == Over::hits) {
             return result;
@@ -90,11 +90,11 @@ inline std::array<double, 3> lowest_times(double phi, double phidot, double yhat
 
 /// That time for the middle of the box, by Newton's iteration on the clearance's rate.
 template <class I>
-I lowest_time(const State<I>& middle, Mass mass, I t) {
+I lowest_time(const State<I>& middle, flight::End end, I t) {
     for (int bits = 27; bits < 2 * PrecisionScope::current(); bits *= 2) {
         const I turning = sqr(middle.phidot) * sin_cos(middle.phi + middle.phidot * t).sin;
-        const I bend = mass == Mass::light ? -turning : middle.heavy_height() * turning;
-        t = midpoint(t - clearance_rate(middle, mass, t) / bend);
+        const I bend = turned(end, middle.body.leveraged(end, turning));
+        t = midpoint(t + clearance_rate(middle, end, t) / bend);
     }
     return t;
 }
@@ -103,24 +103,23 @@ template <class I>
 Suspicion from_air(const State<I>& s) {
     const State<I> middle = middle_of(s);
     const double phi = approximate(s.phi), phidot = approximate(s.phidot), yhatdot = approximate(s.yhatdot);
-    const double rho = approximate(s.heavy_height());
+    const double rho = approximate(s.body.rho);
     const auto guess = guess_first_contact(phi, approximate(s.yhat), phidot, yhatdot, rho);
     Suspicion result;
     if (guess) {
-        const Mass other = guess->mass == Mass::light ? Mass::heavy : Mass::light;
-        I times = polished_guess(s, guess->mass, I(guess->time));
-        const I rate = clearance_rate(middle, guess->mass, times);
+        I times = polished_guess(s, guess->end, I(guess->time));
+        const I rate = clearance_rate(middle, guess->end, times);
         if (certainly_less(I(nearness), -rate)) {  // the contacts of the box, about
-            times = hull(times, times - clearance(s, guess->mass, times) / rate);
+            times = hull(times, times - clearance(s, guess->end, times) / rate);
         }
-        result.corner = may_vanish(clearance(s, other, times));
+        result.corner = may_vanish(clearance(s, other(guess->end), times));
     }
-    for (const Mass mass : {Mass::light, Mass::heavy}) {
-        const bool light = mass == Mass::light;
+    for (const flight::End end : {flight::End::light, flight::End::heavy}) {
+        const bool light = end == flight::End::light;
         for (const double time : lowest_times(phi, phidot, yhatdot, light ? phidot : -rho * phidot, light,
                                               guess ? std::optional(guess->time) : std::nullopt)) {
             result.graze = result.graze ||
-                           (time > 0 && may_vanish(clearance(s, mass, lowest_time(middle, mass, I(time)))));
+                           (time > 0 && may_vanish(clearance(s, end, lowest_time(middle, end, I(time)))));
         }
     }
     return result;
@@ -129,7 +128,7 @@ Suspicion from_air(const State<I>& s) {
 template <class S>
 Suspicion after_bounce(const Bounce<S>& b) {
     const State<S>& s = b.after;
-    return after_contact(mapped(s, [](const S& x) { return Enclosure<S>(range(x)); }), b.mass);
+    return after_contact(mapped(s, [](const S& x) { return Enclosure<S>(range(x)); }), b.end);
 }
 
 inline Obstacle named(const Suspicion& found, bool may_be_flat) {

@@ -18,14 +18,14 @@ std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, do
             return std::nullopt;
         }
         const double sine = std::sin(phi + phidot * t);
-        const Mass mass = sine < 0 ? Mass::light : Mass::heavy;
+        const flight::End end = sine < 0 ? flight::End::light : flight::End::heavy;
         const double gap = height - std::max(-sine, r * sine);
         if (gap < near) {
-            return FirstContactGuess{mass, t};
+            return FirstContactGuess{end, t};
         }
         // Over the convex stretches of the clearance a Newton step does not pass the contact either.
         const double turning = phidot * std::cos(phi + phidot * t);
-        const double rate = yhatdot + (mass == Mass::light ? turning : -r * turning);
+        const double rate = yhatdot + (end == flight::End::light ? turning : -r * turning);
         const double safe = gap / fastest;
         double advance = safe;
         if (rate < 0) {

@@ -13,7 +13,7 @@ namespace dumbbell::starts {
 
 /// Where a flight from the air seems to end; a guess that proves nothing.
 struct FirstContactGuess {
-    Mass mass;
+    flight::End end;
     double time;
 };
 [[nodiscard]] std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, double phidot,
@@ -27,17 +27,17 @@ namespace detail {
 /// One span of a flight: both masses above the floor, from their clearance at its beginning and the least
 /// rate; or, for the mass that touches first (if any), its clearance falling.
 template <class S, class I>
-bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const I& b) {
+bool span_closes(const State<S>& s, std::optional<flight::End> first, const I& a, const I& b) {
     const S span(hull(a, b));
     if (certainly_less(I(1), range(s.yhat + s.yhatdot * span))) {
         return true;  // above every wall
     }
     const Moment<S> begin(s, S(a));
     const Moment<S> within(s, span);
-    return std::ranges::all_of(std::array{Mass::light, Mass::heavy}, [&](Mass mass) {
-        const I rate = range(within.clearance_rate(mass));
-        return (first == mass && certainly_positive(-rate)) ||
-               certainly_positive(low_end(range(begin.clearance(mass))) + min(I(0), low_end(rate)) * (b - a));
+    return std::ranges::all_of(std::array{flight::End::light, flight::End::heavy}, [&](flight::End end) {
+        const I rate = range(within.clearance_rate(end));
+        return (first == end && certainly_positive(-rate)) ||
+               certainly_positive(low_end(range(begin.clearance(end))) + min(I(0), low_end(rate)) * (b - a));
     });
 }
 
@@ -48,7 +48,7 @@ bool span_closes(const State<S>& s, std::optional<Mass> first, const I& a, const
 /// its only zero there: once it is down in a span where it falls, it stays below in the spans that follow.
 /// Halves the spans, at most `most_spans` of them. False if interrupted.
 template <class S, class I>
-[[nodiscard]] bool certainly_first(const State<S>& s, std::optional<Mass> first, const I& end,
+[[nodiscard]] bool certainly_first(const State<S>& s, std::optional<flight::End> first, const I& end,
                                    long most_spans, const Interrupted& interrupted = never) {
     std::vector<std::pair<I, I>> spans{{I(0), high_end(end)}};
     for (long used = 0; !spans.empty(); ++used) {
@@ -72,16 +72,16 @@ template <class S, class I>
 
 /// The mass that seems to touch first: next to a corner, where both nearly do, not always that of the guess.
 template <class S>
-[[nodiscard]] Mass seemingly_first(const State<S>& s, const FirstContactGuess& guess) {
+[[nodiscard]] flight::End seemingly_first(const State<S>& s, const FirstContactGuess& guess) {
     using I = Enclosure<S>;
-    const Mass other = guess.mass == Mass::light ? Mass::heavy : Mass::light;
-    const I time = detail::polished_guess(s, guess.mass, I(guess.time));
-    const I before = detail::polished_guess(s, other, I(guess.time));
+    const flight::End opposite = other(guess.end);
+    const I time = detail::polished_guess(s, guess.end, I(guess.time));
+    const I before = detail::polished_guess(s, opposite, I(guess.time));
     const State<I> middle = detail::middle_of(s);
     const Moment<I> then(middle, before);
-    const bool is_contact = certainly_less(magnitude(then.clearance(other)), I(0x1p-26)) &&
-                            certainly_positive(-then.clearance_rate(other));
-    return is_contact && certainly_less(before, time) ? other : guess.mass;
+    const bool is_contact = certainly_less(magnitude(then.clearance(opposite)), I(0x1p-26)) &&
+                            certainly_positive(-then.clearance_rate(opposite));
+    return is_contact && certainly_less(before, time) ? opposite : guess.end;
 }
 
 /// What is certain without looking for a contact: every state ascends steeply (L3), or from above every wall.
@@ -102,13 +102,13 @@ template <class S>
     }
     const auto guess = guess_first_contact(approximate(range(s.phi)), approximate(range(s.yhat)),
                                            approximate(range(s.phidot)), approximate(range(s.yhatdot)),
-                                           approximate(range(s.heavy_height())));
+                                           approximate(range(s.body.rho)));
     if (guess) {
-        const Mass mass = seemingly_first(s, *guess);
-        auto time = contact_time(s, mass, I(guess->time));
+        const flight::End end = seemingly_first(s, *guess);
+        auto time = contact_time(s, end, I(guess->time));
         if (time && certainly_positive(range(*time)) &&
-            certainly_first(s, mass, range(*time), most_spans, interrupted)) {
-            return {Next::contact, mass, std::move(time)};
+            certainly_first(s, end, range(*time), most_spans, interrupted)) {
+            return {Next::contact, end, std::move(time)};
         }
         return {};
     }

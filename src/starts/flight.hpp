@@ -13,7 +13,7 @@ namespace dumbbell::starts {
 
 /// What is certain of the next event of every state in a box.
 enum class Next {
-    contact,  ///< each collides next with `mass`, `time` from now
+    contact,  ///< each collides next with `end`, `time` from now
     none,     ///< none ever collides again
     unknown
 };
@@ -21,7 +21,7 @@ enum class Next {
 template <class S>
 struct Event {
     Next next = Next::unknown;
-    Mass mass = Mass::light;
+    flight::End end = flight::End::light;
     std::optional<S> time{};
 };
 
@@ -50,13 +50,13 @@ enum class Way { inward, outward, unknown };
 /// `inward`: towards the walls ahead in the same cell: from the bridge, always; from a light wall, away from
 /// the wall's peak. `outward`: over the wall's peak (lemma L1: never again).
 template <class I>
-[[nodiscard]] Way way_out(const I& phi, long hump, Mass left, bool right) {
+[[nodiscard]] Way way_out(const I& phi, long hump, flight::End left, bool right) {
     const I begin = pi<I>() * I(static_cast<double>(hump));
     const I end = pi<I>() * I(static_cast<double>(hump + 1));
     if (!certainly_less(begin, phi) || !certainly_less(phi, end)) {
         return Way::unknown;
     }
-    if (left == Mass::heavy) {
+    if (left == flight::End::heavy) {
         return Way::inward;
     }
     const I peak = begin + half_pi<I>();
@@ -88,7 +88,7 @@ template <class S>
 /// The way out of the contact of `left`, if it is certainly one inward; `leaves` is set if it is certainly
 /// outward.
 template <class S>
-[[nodiscard]] std::optional<Outbound<S>> outbound(const State<S>& s, Mass left, bool& leaves) {
+[[nodiscard]] std::optional<Outbound<S>> outbound(const State<S>& s, flight::End left, bool& leaves) {
     leaves = false;
     const bool right = certainly_positive(range(s.phidot));
     if (!right && !certainly_positive(-range(s.phidot))) {
@@ -116,17 +116,18 @@ template <class S>
     return certainly_positive(range(near)) && certainly_positive(range(far));
 }
 
-/// The contact `x` (radians) behind a corner, proved: a contact of `mass` with the angle certainly within [0,
+/// The contact `x` (radians) behind a corner, proved: a contact of `end` with the angle certainly within [0,
 /// `extent`] of that corner. There the clearance is a convex function of time, positive at the corner, so
 /// this contact is the first one.
 template <class S>
-[[nodiscard]] Event<S> contact_behind_corner(const State<S>& s, const Outbound<S>& d, long corner, Mass mass,
-                                             const Enclosure<S>& x, const Enclosure<S>& extent) {
+[[nodiscard]] Event<S> contact_behind_corner(const State<S>& s, const Outbound<S>& d, long corner,
+                                             flight::End end, const Enclosure<S>& x,
+                                             const Enclosure<S>& extent) {
     using I = Enclosure<S>;
     const I offset = pi<I>() * I(static_cast<double>(corner));
     const I angle = offset + I(d.direction) * x;
     const auto time =
-        contact_time(s, mass, midpoint((angle - midpoint(range(s.phi))) / midpoint(range(s.phidot))));
+        contact_time(s, end, midpoint((angle - midpoint(range(s.phi))) / midpoint(range(s.phidot))));
     if (!time) {
         return {};
     }
@@ -134,7 +135,7 @@ template <class S>
     if (!certainly_positive(behind) || !certainly_less(behind, extent) || !certainly_positive(range(*time))) {
         return {};
     }
-    return {Next::contact, mass, time};
+    return {Next::contact, end, time};
 }
 
 /// A guess of the least root of height + slope x = r sin x in (0, pi): Newton's iteration from the left on a
@@ -143,7 +144,7 @@ template <class S>
 
 /// The next event of states that leave a contact of `left` (bounce().after).
 template <class S>
-[[nodiscard]] Event<S> event_after_contact(const State<S>& s, Mass left) {
+[[nodiscard]] Event<S> event_after_contact(const State<S>& s, flight::End left) {
     using I = Enclosure<S>;
     bool leaves = certainly_too_steep(s);
     const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
@@ -155,11 +156,11 @@ template <class S>
     }
     S c = d->height;  // at the corner before the light wall ahead
     long corner = d->corner;
-    if (left == Mass::light) {
-        if (!certainly_passes_bridge(*d, s.heavy_height())) {
+    if (left == flight::End::light) {
+        if (!certainly_passes_bridge(*d, s.body.rho)) {
             const auto x = guess_bridge_contact(approximate(range(d->height)), approximate(range(d->slope)),
-                                                approximate(range(s.heavy_height())));
-            return x ? contact_behind_corner(s, *d, corner, Mass::heavy, I(*x), pi<I>()) : Event<S>{};
+                                                approximate(range(s.body.rho)));
+            return x ? contact_behind_corner(s, *d, corner, flight::End::heavy, I(*x), pi<I>()) : Event<S>{};
         }
         c = c + d->slope * S(pi<I>());
         corner += d->direction;
@@ -169,7 +170,7 @@ template <class S>
     const flight::ContactGuess<I> guess =
         flight::guess_contact(midpoint(range(c)), midpoint(range(d->slope)));
     if (guess.hits) {
-        return contact_behind_corner(s, *d, corner, Mass::light, guess.z, half_pi<I>());
+        return contact_behind_corner(s, *d, corner, flight::End::light, guess.z, half_pi<I>());
     }
     const SinCos<I> at = sin_cos(guess.z);
     const S near = c - S(at.sin - guess.z * at.cos);

@@ -30,7 +30,7 @@ inline constexpr long most_first_spans = 20000;
 /// No dumbbell with such a ratio has more; of bodies nothing is said.
 template <class S>
 [[nodiscard]] std::optional<long> most_of_all(const State<S>& s, const Interrupted& interrupted) {
-    return s.is_body ? std::nullopt : most_collisions(range(s.r), count_cap, interrupted);
+    return s.body.is_massless ? most_collisions(range(s.body.r), count_cap, interrupted) : std::nullopt;
 }
 
 /// Precondition: both masses of every state are above the floor, and none is at rest. `most_spans`: of the
@@ -51,7 +51,7 @@ template <class S>
         return result;
     }
     const auto done = [&] { return static_cast<long>(result.bounces.size()); };
-    WallToWall<S> orbit(bounce(start, first.mass, *first.time));
+    WallToWall<S> orbit(bounce(start, first.end, *first.time));
     Next next = Next::contact;
     while (next == Next::contact) {
         result.bounces.push_back(orbit.last());
@@ -72,9 +72,10 @@ template <class S>
     for (long i = 0; i < done() && !total.exact() && !interrupted(); ++i) {
         const auto& b = result.bounces[static_cast<std::size_t>(i)];
         const LaterCount later =
-            start.is_body ? body_collisions_behind(
-                                mapped(b.after, [](const S& x) { return Enclosure<S>(range(x)); }), b.mass)
-                          : later_collisions(b.after, b.mass, interrupted);
+            start.body.is_massless
+                ? later_collisions(b.after, b.end, interrupted)
+                : body_collisions_behind(mapped(b.after, [](const S& x) { return Enclosure<S>(range(x)); }),
+                                         b.end);
         total.least = std::max(total.least, i + 1 + later.least);
         if (later.most) {
             total.most = std::min(total.most.value_or(i + 1 + *later.most), i + 1 + *later.most);

@@ -66,14 +66,15 @@ LaterCount ray_counts(const I& c, const I& kappa, const I& r, const Interrupted&
 /// From the bridge, and from a light wall if the bridge is certainly passed, they are G (L4, L6 (b), (c)). If
 /// the bridge may be met: those that pass it have c >= 0, those that meet it at most 1 + G from there.
 template <class S>
-[[nodiscard]] LaterCount later_collisions(const Outbound<S>& d, const S& ratio, Mass left,
+[[nodiscard]] LaterCount later_collisions(const Outbound<S>& d, const S& ratio, flight::End left,
                                           const Interrupted& interrupted = never) {
     using I = Enclosure<S>;
     const I& r = range(ratio);
     if (!certainly_at_most(-low_end(r), range(d.slope))) {
-        return {0, left == Mass::heavy ? most_later_collisions(r, count_cap, interrupted) : std::nullopt};
+        return {0,
+                left == flight::End::heavy ? most_later_collisions(r, count_cap, interrupted) : std::nullopt};
     }
-    if (left == Mass::heavy) {
+    if (left == flight::End::heavy) {
         return detail::ray_counts(range(d.height), range(d.slope), r, interrupted);
     }
     LaterCount passing =
@@ -90,16 +91,17 @@ template <class S>
 
 /// The later collisions of states that leave a contact of `left`.
 template <class S>
-[[nodiscard]] LaterCount later_collisions(const State<S>& s, Mass left,
+[[nodiscard]] LaterCount later_collisions(const State<S>& s, flight::End left,
                                           const Interrupted& interrupted = never) {
     bool leaves = certainly_too_steep(s);
     const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
     if (leaves) {
         return {0, 0};
     }
-    return d ? later_collisions(*d, s.r, left, interrupted)
-             : LaterCount{0, left == Mass::heavy ? most_later_collisions(range(s.r), count_cap, interrupted)
-                                                 : std::nullopt};
+    return d ? later_collisions(*d, s.body.r, left, interrupted)
+             : LaterCount{0, left == flight::End::heavy
+                                 ? most_later_collisions(range(s.body.r), count_cap, interrupted)
+                                 : std::nullopt};
 }
 
 }  // namespace dumbbell::starts

@@ -31,9 +31,7 @@ template <class I>
 State<I> wider_state(const Box& box, int bits) {
     const I unit = slack_unit<I>(bits);
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], unit); };
-    State<I> s = state_of(side(0), side(1), side(2), side(3), side(4), rho_of<I>(box), box.rho.has_value());
-    s.r = has_equal_masses(box) ? I(1) : min(s.r, I(1));
-    return s;
+    return state_of(box, side, rho_of<I>(box), [](const I& r) { return min(r, I(1)); });
 }
 
 std::pair<Rational, Rational> exact_ends(const Interval& x) { return {exact(x.lo()), exact(x.hi())}; }
@@ -65,23 +63,23 @@ std::optional<FirstContact> window(const I& times, bool heavy, int margin, int b
 /// The conditions of format-initial.md, section 3: the clearance of the mass is positive at the window's
 /// beginning, negative at its end and falls in between, and it is the first contact.
 template <class I>
-bool certainly_in_window(const State<I>& s, Mass mass, const I& times) {
-    return certainly_positive(clearance(s, mass, low_end(times))) &&
-           certainly_positive(-clearance(s, mass, high_end(times))) &&
-           certainly_positive(-clearance_rate(s, mass, times)) &&
-           certainly_first(s, {mass}, times, spans_of_a_box);
+bool certainly_in_window(const State<I>& s, flight::End end, const I& times) {
+    return certainly_positive(clearance(s, end, low_end(times))) &&
+           certainly_positive(-clearance(s, end, high_end(times))) &&
+           certainly_positive(-clearance_rate(s, end, times)) &&
+           certainly_first(s, {end}, times, spans_of_a_box);
 }
 
 /// A window in which the first contact certainly lies, as do all times of `event`.
 template <class I>
 std::optional<FirstContact> certain_window(const State<I>& s, Event<I>& event, int bits) {
     for (const int margin : {0, 1, 4}) {
-        auto contact = window(*event.time, event.mass == Mass::heavy, margin, bits);
+        auto contact = window(*event.time, event.end == flight::End::heavy, margin, bits);
         if (!contact) {
             return std::nullopt;
         }
         const I times = hull(enclose<I>(contact->from), enclose<I>(contact->until));
-        if (certainly_in_window(s, event.mass, times)) {
+        if (certainly_in_window(s, event.end, times)) {
             event.time = times;
             return contact;
         }
@@ -100,11 +98,11 @@ Leaf judge_in(const Box& box, int bits) {
     if (event.next == Next::contact) {
         first = certain_window(s, event, bits);
     }
-    const auto bound = box.rho ? most_of_all(box) : most_collisions(s.r);
+    const auto bound = box.rho ? most_of_all(box) : most_collisions(s.body.r);
     if (!first) {
         return {certainly_positive(-s.yhatdot) ? 1 : 0, bound};
     }
-    const LaterCount later = collisions_behind_first(s, event.mass, *event.time);
+    const LaterCount later = collisions_behind_first(s, event.end, *event.time);
     Leaf result{1 + later.least, bound, first};
     if (later.most) {
         result.most = std::min(bound.value_or(1 + *later.most), 1 + *later.most);

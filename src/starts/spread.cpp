@@ -50,8 +50,7 @@ State<Tangent> centre_of(const Box& box) {
         const Rational centre = lo == box.hi[i] ? lo : (lo + box.hi[i]) / 2;
         return Tangent(centre.convert_to<double>(), Gradient<double>::Unit(static_cast<int>(i)));
     };
-    return state_of(side(0), side(1), side(2), side(3), side(4),
-                    Tangent(box.rho.value_or(1).convert_to<double>()), box.rho.has_value());
+    return state_of(box, side, Tangent(box.rho.value_or(1).convert_to<double>()));
 }
 
 /// The state itself, where an enclosure is asked for.
@@ -60,23 +59,22 @@ State<Interval> point(const State<Tangent>& s) {
 }
 
 /// After a contact at about this time: the derivatives of the time are those of a root of the clearance.
-State<Tangent> after_contact(const State<Tangent>& s, Mass mass, double time) {
+State<Tangent> after_contact(const State<Tangent>& s, flight::End end, double time) {
     const Moment<Tangent> then(s, Tangent(time));
-    return bounce(s, mass, {time, then.clearance(mass).gradient / -then.clearance_rate(mass).value}).after;
+    return bounce(s, end, {time, then.clearance(end).gradient / -then.clearance_rate(end).value}).after;
 }
 
 /// The first contact, if it seems that there is one and that it is no corner, where no orbit goes on.
 Event<Interval> first_contact(const State<Tangent>& s) {
-    const auto guess = guess_first_contact(s.phi.value, s.yhat.value, s.phidot.value, s.yhatdot.value,
-                                           s.heavy_height().value);
+    const auto guess =
+        guess_first_contact(s.phi.value, s.yhat.value, s.phidot.value, s.yhatdot.value, s.body.rho.value);
     if (!guess) {
         return {};
     }
     const State<Interval> at = point(s);
-    const Interval time = detail::polished_guess(at, guess->mass, Interval(guess->time));
-    const Mass other = guess->mass == Mass::light ? Mass::heavy : Mass::light;
-    const bool corner = std::abs(approximate(clearance(at, other, time))) < 1e-9;
-    return corner ? Event<Interval>{} : Event<Interval>{Next::contact, guess->mass, time};
+    const Interval time = detail::polished_guess(at, guess->end, Interval(guess->time));
+    const bool corner = std::abs(approximate(clearance(at, other(guess->end), time))) < 1e-9;
+    return corner ? Event<Interval>{} : Event<Interval>{Next::contact, guess->end, time};
 }
 
 /// The orbit of the centre after so many collisions, or as far as it can be followed.
@@ -84,8 +82,8 @@ State<Tangent> follow_centre(const Box& box, long collisions) {
     State<Tangent> s = centre_of(box);
     Event<Interval> event = first_contact(s);
     for (long done = 0; done < collisions && event.next == Next::contact; ++done) {
-        s = after_contact(s, event.mass, approximate(*event.time));
-        event = event_after_contact(point(s), event.mass);
+        s = after_contact(s, event.end, approximate(*event.time));
+        event = event_after_contact(point(s), event.end);
     }
     return s;
 }
@@ -94,7 +92,7 @@ State<Tangent> follow_centre(const Box& box, long collisions) {
 
 std::array<double, axis_count> spreads(const Box& box, long shared) {
     const State<Tangent> s = follow_centre(box, shared);
-    const double r = s.r.value;
+    const double r = s.body.r.value;
     const double speed = std::hypot(s.phidot.value, s.yhatdot.value / std::sqrt(r));
     std::array<double, axis_count> spread{};
     for (std::size_t i = 0; i < axis_count; ++i) {

@@ -68,29 +68,25 @@ TracedValue traced_value(const Interval& x, int digits) {
 template <class S>
 Enclosure<S> grazing_sine(const Bounce<S>& b) {
     using I = Enclosure<S>;
-    const I& r = range(b.before.r);
-    const I& spin = range(b.before.phidot);
-    const I& climb = range(b.before.yhatdot);
+    const State<I> s = mapped(b.before, [](const S& x) { return I(range(x)); });
     const I c = range(sin_cos(b.before.phi).cos);
-    const I speed = sqrt(sqr(spin) + sqr(climb) / r);
-    const I& rho = range(b.before.heavy_height());
-    return b.mass == Mass::light ? -(climb + c * spin) / (speed * sqrt(sqr(c) + r))
-           : b.before.is_body    ? -(climb - rho * c * spin) / (speed * sqrt(r + sqr(rho * c)))
-                                 : -(climb - r * c * spin) / (speed * sqrt(r * (I(1) + r * sqr(c))));
+    const I speed = sqrt(sqr(s.phidot) + sqr(s.yhatdot) / s.body.r);
+    const I normal = s.body.leveraged(b.end, s.body.resistance(b.end, c));  // |N|^2
+    return -rise_of(s, b.end, c) / (speed * sqrt(normal));
 }
 
 template <class S>
 flight::Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
     const auto value = [&](const Enclosure<S>& x) { return traced_value(x, digits); };
-    const auto physical = [&](const S& hat) { return value(range(hat / (S(1) + b.before.heavy_height()))); };
-    return {b.mass == Mass::heavy,         value(range(b.after.time)),   value(range(b.after.phi)),
+    const auto physical = [&](const S& hat) { return value(range(hat / (S(1) + b.before.body.rho))); };
+    return {b.end == flight::End::heavy,   value(range(b.after.time)),   value(range(b.after.phi)),
             physical(b.after.yhat),        physical(b.before.yhatdot),   physical(b.after.yhatdot),
             value(range(b.before.phidot)), value(range(b.after.phidot)), value(grazing_sine(b))};
 }
 
 template <class S>
 double greatest_width(const State<S>& s) {
-    const S scale = S(1) + s.heavy_height();
+    const S scale = S(1) + s.body.rho;
     return std::max({width(range(s.phi)), width(range(s.phidot)), width(range(s.yhat / scale)),
                      width(range(s.yhatdot / scale))});
 }
@@ -103,8 +99,7 @@ LaterCount count(const Followed<S>& followed, const State<I>& start, const Inter
         return followed.total;
     }
     const auto& first = followed.bounces.front();
-    const LaterCount later =
-        collisions_behind_first(start, first.mass, range(first.before.time), interrupted);
+    const LaterCount later = collisions_behind_first(start, first.end, range(first.before.time), interrupted);
     return later.exact() ? LaterCount{1 + later.least, 1 + later.least} : followed.total;
 }
 

@@ -119,12 +119,12 @@ class WallToWall {
     };
 
     std::optional<Step> along_the_orbit(Next& next) const {
-        const Event<S> event = event_after_contact(last_.after, last_.mass);
+        const Event<S> event = event_after_contact(last_.after, last_.end);
         next = event.next;
         if (next != Next::contact) {
             return std::nullopt;
         }
-        Bounce<S> b = bounce(last_.after, event.mass, *event.time);
+        Bounce<S> b = bounce(last_.after, event.end, *event.time);
         S slope = b.after.yhatdot / b.after.phidot;
         return Step{std::move(b), std::move(slope)};
     }
@@ -133,42 +133,45 @@ class WallToWall {
     std::optional<Step> stepwise(Next& next) const {
         const State<S>& from = last_.after;
         const bool right = certainly_positive(range(from.phidot));
-        if (from.is_body || (!right && !certainly_positive(-range(from.phidot)))) {
+        if (!from.body.is_massless || (!right && !certainly_positive(-range(from.phidot)))) {
             return std::nullopt;
         }
         const S along(right ? 1 : -1);
-        const Recentred<S, 3> box({from.phi, slope_, from.r});
+        const Recentred<S, 3> box({from.phi, slope_, from.body.r});
         const S& phi = box.parameter(0);
-        const S& r = box.parameter(2);
-        const S sine = sin_cos(phi).sin;
-        const State<S> start{
-            phi, last_.mass == Mass::light ? -sine : r * sine, along, along * box.parameter(1), r, S(0)};
-        const Event<S> event = event_after_contact(start, last_.mass);
+        const auto body = flight::Body<S>::massless(box.parameter(2));
+        const State<S> start{phi,   body.contact_height(last_.end, sin_cos(phi).sin),
+                             along, along * box.parameter(1),
+                             body,  S(0)};
+        const Event<S> event = event_after_contact(start, last_.end);
         next = event.next == Next::unknown ? next : event.next;
         if (event.next != Next::contact) {
             return std::nullopt;
         }
-        const Bounce<S> unit = bounce(start, event.mass, *event.time);
+        const Bounce<S> unit = bounce(start, event.end, *event.time);
         const S spin = common_part(along * from.phidot, speed_ / steepness());
         const State<S> before{box.composed(unit.before.phi),
                               box.composed(unit.before.yhat),
                               along * spin,
                               common_part(from.yhatdot, along * slope_ * spin),
-                              from.r,
+                              from.body,
                               from.time + box.composed(*event.time) / spin};
         State<S> after = before;
         after.phidot = box.composed(unit.after.phidot) * spin;
         after.yhatdot = box.composed(unit.after.yhatdot) * spin;
-        return Step{{event.mass, before, after}, box.composed(unit.after.yhatdot / unit.after.phidot)};
+        return Step{{event.end, before, after}, box.composed(unit.after.yhatdot / unit.after.phidot)};
     }
 
     static State<S> common_part(const State<S>& a, const State<S>& b) {
-        return {common_part(a.phi, b.phi),       common_part(a.yhat, b.yhat),
-                common_part(a.phidot, b.phidot), common_part(a.yhatdot, b.yhatdot),
-                common_part(a.r, b.r),           common_part(a.time, b.time)};
+        return {common_part(a.phi, b.phi),
+                common_part(a.yhat, b.yhat),
+                common_part(a.phidot, b.phidot),
+                common_part(a.yhatdot, b.yhatdot),
+                a.body,
+                common_part(a.time, b.time)};
     }
     static Step common_part(const Step& a, const Step& b) {
-        return {{a.bounce.mass, common_part(a.bounce.before, b.bounce.before),
+        return {{a.bounce.end, common_part(a.bounce.before, b.bounce.before),
                  common_part(a.bounce.after, b.bounce.after)},
                 common_part(a.slope, b.slope)};
     }
@@ -178,7 +181,7 @@ class WallToWall {
     }
 
     /// The energy, phidot^2 + yhatdot^2 / r, is (|phidot| steepness)^2.
-    [[nodiscard]] S steepness() const { return sqrt(S(1) + sqr(slope_) / last_.after.r); }
+    [[nodiscard]] S steepness() const { return sqrt(S(1) + sqr(slope_) / last_.after.body.r); }
 
     Bounce<S> last_;
     S slope_;  ///< means nothing while the direction is uncertain

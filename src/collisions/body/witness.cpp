@@ -52,9 +52,11 @@ Witness best_contact(const flight::Body<Interval>& body, long enough, const Inte
 }
 
 flight::Body<Interval> body_of(const Rational& q_lo, const Rational& q_hi, const Heights& heights) {
-    return {hull(enclose<Interval>(heights.lo), enclose<Interval>(heights.hi)),
-            hull(enclose<Interval>(1 / q_hi), enclose<Interval>(1 / q_lo)),
-            heights.lo * q_lo == 1 && heights.hi * q_hi == 1};
+    using Body = flight::Body<Interval>;
+    const Interval r = hull(enclose<Interval>(1 / q_hi), enclose<Interval>(1 / q_lo));
+    return heights.lo * q_lo == 1 && heights.hi * q_hi == 1
+               ? Body::massless(r)
+               : Body::with_mass(hull(enclose<Interval>(heights.lo), enclose<Interval>(heights.hi)), r);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ std::array<double, axis_count> by_jets(const Box& box, const BoxJets<Interval>& 
                                        const Followed<Jet<Interval>>& followed, std::size_t shared) {
     const auto start = jets.state();
     const auto& s = shared == 0 ? start : followed.bounces.at(shared - 1).after;
-    const double r = approximate(range(s.r));
+    const double r = approximate(range(s.body.r));
     const double speed =
         std::hypot(approximate(range(s.phidot)), approximate(range(s.yhatdot)) / std::sqrt(r));
     std::array<double, axis_count> spread{};

@@ -150,7 +150,7 @@ TEST_CASE("Angles too large to count their humps, and no numbers, lie on none in
     CHECK(hump_of(Interval(-1)) == -1);
     for (const double phi : {1e19, -1e300, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
         CHECK(hump_of(Interval(phi)) == 0);
-        CHECK(way_out(Interval(phi), 0, Mass::heavy, true) == Way::unknown);
+        CHECK(way_out(Interval(phi), 0, flight::End::heavy, true) == Way::unknown);
     }
 }
 
