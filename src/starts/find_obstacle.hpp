@@ -125,12 +125,6 @@ Suspicion from_air(const State<I>& s) {
     return result;
 }
 
-template <class S>
-Suspicion after_bounce(const Bounce<S>& b) {
-    const State<S>& s = b.after;
-    return after_contact(mapped(s, [](const S& x) { return Enclosure<S>(range(x)); }), b.end);
-}
-
 inline Obstacle named(const Suspicion& found, bool may_be_flat) {
     return found.corner && found.graze ? Obstacle::corner_or_graze
            : found.corner              ? (may_be_flat ? Obstacle::flat : Obstacle::corner)
@@ -151,7 +145,7 @@ template <class S, class I>
     }
     for (std::size_t i = followed.complete() ? 0 : std::max<std::size_t>(bounces.size(), 1) - 1;
          i < bounces.size() && found == Obstacle::other; ++i) {
-        found = detail::named(detail::after_bounce(bounces[i]), false);
+        found = detail::named(detail::after_contact(ranges_of(bounces[i].after), bounces[i].end), false);
     }
     return found;
 }

@@ -39,21 +39,4 @@ std::optional<FirstContactGuess> guess_first_contact(double phi, double yhat, do
     return std::nullopt;
 }
 
-std::optional<double> guess_bridge_contact(double height, double slope, double r) noexcept {
-    double x = 0;
-    for (int step = 0; step < 100; ++step) {
-        const double gap = height + slope * x - r * std::sin(x);
-        const double rate = slope - r * std::cos(x);
-        if (!(rate < 0) || !(x < 3.2)) {
-            return std::nullopt;
-        }
-        const double next = x - gap / rate;
-        if (std::abs(next - x) <= 1e-14 * next) {
-            return next;
-        }
-        x = next;
-    }
-    return x;
-}
-
 }  // namespace dumbbell::starts

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "flight/bridge_contact.hpp"
 #include "flight/contact.hpp"
 #include "starts/contact_time.hpp"
 
@@ -138,10 +139,6 @@ template <class S>
     return {Next::contact, end, time};
 }
 
-/// A guess of the least root of height + slope x = r sin x in (0, pi): Newton's iteration from the left on a
-/// convex function.
-[[nodiscard]] std::optional<double> guess_bridge_contact(double height, double slope, double r) noexcept;
-
 /// The next event of states that leave a contact of `left` (bounce().after).
 template <class S>
 [[nodiscard]] Event<S> event_after_contact(const State<S>& s, flight::End left) {
@@ -158,9 +155,9 @@ template <class S>
     long corner = d->corner;
     if (left == flight::End::light) {
         if (!certainly_passes_bridge(*d, s.body.rho)) {
-            const auto x = guess_bridge_contact(approximate(range(d->height)), approximate(range(d->slope)),
-                                                approximate(range(s.body.rho)));
-            return x ? contact_behind_corner(s, *d, corner, flight::End::heavy, I(*x), pi<I>()) : Event<S>{};
+            const double x = flight::guess_bridge_contact(
+                approximate(range(d->height)), approximate(range(d->slope)), approximate(range(s.body.rho)));
+            return contact_behind_corner(s, *d, corner, flight::End::heavy, I(x), pi<I>());
         }
         c = c + d->slope * S(pi<I>());
         corner += d->direction;

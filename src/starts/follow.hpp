@@ -8,7 +8,6 @@
 #include "starts/body_count.hpp"
 #include "starts/first_flight.hpp"
 #include "starts/jet.hpp"
-#include "starts/later_count.hpp"
 #include "starts/wall_to_wall.hpp"
 
 /// The orbits of a box of initial states, collision by collision, as far as all of them share it.
@@ -71,11 +70,7 @@ template <class S>
     total = {done(), most_of_all(start, interrupted)};
     for (long i = 0; i < done() && !total.exact() && !interrupted(); ++i) {
         const auto& b = result.bounces[static_cast<std::size_t>(i)];
-        const LaterCount later =
-            start.body.is_massless
-                ? later_collisions(b.after, b.end, interrupted)
-                : body_collisions_behind(mapped(b.after, [](const S& x) { return Enclosure<S>(range(x)); }),
-                                         b.end);
+        const LaterCount later = later_collisions(b.after, b.end, interrupted);
         total.least = std::max(total.least, i + 1 + later.least);
         if (later.most) {
             total.most = std::min(total.most.value_or(i + 1 + *later.most), i + 1 + *later.most);

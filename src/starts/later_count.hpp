@@ -89,19 +89,4 @@ template <class S>
     return passing;
 }
 
-/// The later collisions of states that leave a contact of `left`.
-template <class S>
-[[nodiscard]] LaterCount later_collisions(const State<S>& s, flight::End left,
-                                          const Interrupted& interrupted = never) {
-    bool leaves = certainly_too_steep(s);
-    const auto d = leaves ? std::nullopt : outbound(s, left, leaves);
-    if (leaves) {
-        return {0, 0};
-    }
-    return d ? later_collisions(*d, s.body.r, left, interrupted)
-             : LaterCount{0, left == flight::End::heavy
-                                 ? most_later_collisions(range(s.body.r), count_cap, interrupted)
-                                 : std::nullopt};
-}
-
 }  // namespace dumbbell::starts

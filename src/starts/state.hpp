@@ -28,6 +28,12 @@ template <class S, class F>
                     f(s.time)};
 }
 
+/// Where all its numbers lie.
+template <class S>
+[[nodiscard]] State<Enclosure<S>> ranges_of(const State<S>& s) {
+    return mapped(s, [](const S& x) { return Enclosure<S>(range(x)); });
+}
+
 /// The flight `t` after a state: its sine and cosine serve both ends.
 template <class S>
 class Moment {

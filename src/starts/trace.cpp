@@ -68,7 +68,7 @@ TracedValue traced_value(const Interval& x, int digits) {
 template <class S>
 Enclosure<S> grazing_sine(const Bounce<S>& b) {
     using I = Enclosure<S>;
-    const State<I> s = mapped(b.before, [](const S& x) { return I(range(x)); });
+    const State<I> s = ranges_of(b.before);
     const I c = range(sin_cos(b.before.phi).cos);
     const I speed = sqrt(sqr(s.phidot) + sqr(s.yhatdot) / s.body.r);
     const I normal = s.body.leveraged(b.end, s.body.resistance(b.end, c));  // |N|^2
