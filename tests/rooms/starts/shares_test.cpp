@@ -2,18 +2,18 @@
 // (tests/attacks/oracle), and against what dumbbell-verify finds in the written file.
 #include "starts/shares.hpp"
 
-#include <cmath>
-
-#include "attacks/oracle/simulate.hpp"
 #include "attacks/oracle/trial.hpp"
 #include "box.hpp"
 #include "catch.hpp"
+#include "histogram.hpp"
 #include "sample.hpp"
 #include "written_file.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
 using namespace dumbbell_test;
+using dumbbell_trace_test::checked;
+using dumbbell_trace_test::Histogram;
 using dumbbell_trace_test::uniform;
 using dumbbell_trace_test::written;
 
@@ -25,27 +25,16 @@ Box falling(const Rational& q) {
             {Rational(3), Rational(3), Rational(3, 2), Rational(-1), q}};
 }
 
-dumbbell_verify::starts::Claim checked(const std::string& text) {
-    const make::File file(text);
-    dumbbell_verify::Request settings;
-    settings.shares = true;
-    return std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
-}
-
-/// How many of `trials` random starts of the box have each number of collisions, and how many of them are too
-/// close to a corner or a tangency to tell.
-std::map<long, int> simulated(const Box& box, int trials, int& doubtful) {
+Histogram simulated(const Box& box) {
     std::mt19937_64 engine(2026);
     const dumbbell_oracle::Dumbbell<dumbbell_oracle::Real> body(box.lo[4].convert_to<double>());
-    std::map<long, int> found;
-    for (int i = 0; i < trials; ++i) {
+    Histogram found;
+    for (int i = 0; i < dumbbell_oracle::trials(20'000); ++i) {
         const auto side = [&](std::size_t axis) -> dumbbell_oracle::Real {
             return uniform(engine, box.lo[axis].convert_to<double>(), box.hi[axis].convert_to<double>());
         };
         const auto phi = side(0), phidot = side(1), y = side(2), ydot = side(3);
-        const auto run = simulate(body, dumbbell_oracle::State<dumbbell_oracle::Real>{phi, phidot, y, ydot});
-        ++found[static_cast<long>(run.collisions.size())];
-        doubtful += run.care.doubtful() ? 1 : 0;
+        found.add(simulate(body, dumbbell_oracle::State<dumbbell_oracle::Real>{phi, phidot, y, ydot}));
     }
     return found;
 }
@@ -104,32 +93,9 @@ TEST_CASE("dumbbell-verify finds the same shares in the file, letter by letter")
 }
 
 TEST_CASE("random starts have each number of collisions as often as is proved, within their own error") {
-    const int trials = dumbbell_oracle::trials(20'000);
     for (const char* q : {"1", "4.61", "10", "100"}) {
+        INFO("q " << q);
         const Box box = falling(parse_rational(q));
-        const auto bounds = share_bounds(subdivide(box, {.max_boxes = 6000, .jobs = 2}).tree);
-        int doubtful = 0;
-        const auto found = simulated(box, trials, doubtful);
-        int seen = 0;
-        for (const ShareBounds& b : bounds) {
-            REQUIRE(b.most);
-            const auto lo = b.lo.convert_to<double>(), hi = b.hi.convert_to<double>();
-            for (long count = b.least; count <= *b.most; ++count) {
-                const auto at = found.find(count);
-                const int hits = at == found.end() ? 0 : at->second;
-                seen += hits;
-                // Six standard deviations of a binomial distribution, and what its smallest numbers scatter.
-                const auto error = [&](double p) { return 6 * std::sqrt(trials * p * (1 - p)) + 12; };
-                INFO("q " << q << ": " << count << " collisions " << hits << " times, proved " << lo << " to "
-                          << hi);
-                CHECK(hits + doubtful >= lo * trials - error(lo));
-                CHECK(hits - doubtful <= hi * trials + error(hi));
-                if (hi == 0) {
-                    CHECK(hits <= doubtful);
-                }
-            }
-        }
-        CHECK(seen == trials);  // no start has a number that is said to have the share 0
-        CHECK(doubtful < trials / 100);
+        simulated(box).check(share_bounds(subdivide(box, {.max_boxes = 6000, .jobs = 2}).tree));
     }
 }

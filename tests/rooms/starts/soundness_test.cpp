@@ -13,6 +13,7 @@ using dumbbell::starts::Box;
 using dumbbell_oracle::Dumbbell;
 using dumbbell_oracle::Real;
 using dumbbell_oracle::State;
+using dumbbell_trace_test::for_each_leaf;
 using dumbbell_trace_test::random_sides;
 using dumbbell_trace_test::refusal;
 using dumbbell_trace_test::Sides;
@@ -59,26 +60,6 @@ bool agrees(const Run& run, const Leaf& leaf, std::uint64_t least, std::optional
            from - tolerance <= first.time && first.time <= until + tolerance;
 }
 
-/// The leaves of a tree with their boxes.
-template <class Use>
-void for_each_leaf(const std::vector<dumbbell::starts::Node>& tree, Box box, const Use& use) {
-    std::vector<Box> boxes{std::move(box)};
-    for (const auto& node : tree) {
-        Box here = std::move(boxes.back());
-        boxes.pop_back();
-        if (!node.split) {
-            use(here, node.leaf);
-            continue;
-        }
-        const auto i = static_cast<std::size_t>(*node.split);
-        Box lower = here;
-        lower.hi[i] = (here.lo[i] + here.hi[i]) / 2;
-        here.lo[i] = lower.hi[i];
-        boxes.push_back(std::move(here));
-        boxes.push_back(std::move(lower));
-    }
-}
-
 mpq_class exact_mpq(double x) { return mpq_class(x); }
 
 }  // namespace
@@ -95,7 +76,7 @@ TEST_CASE("The leaves of verified files hold for the simulated orbits of their p
         }
         const auto parts = dumbbell::starts::subdivide(box, {.max_boxes = 16});
         REQUIRE(refusal(written(box, parts)) == "");
-        for_each_leaf(parts.tree.nodes(), box, [&](const Box& here, const dumbbell::starts::Leaf& leaf) {
+        for_each_leaf(parts.tree, box, [&](const Box& here, const dumbbell::starts::Leaf& leaf) {
             std::array<double, 5> lo{}, hi{};
             for (std::size_t k = 0; k < 5; ++k) {
                 lo.at(k) = here.lo[k].convert_to<double>();

@@ -13,20 +13,16 @@ using namespace dumbbell::starts;
 
 namespace {
 
-Rational rational(const std::string& text) {
-    return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
-}
-
 Box point(const std::string& phi, const std::string& phidot, const std::string& y, const std::string& ydot,
           const std::string& q = "10") {
-    const std::array<Rational, axis_count> at{rational(phi), rational(phidot), rational(y), rational(ydot),
-                                              rational(q)};
-    return {at, at};
+    return dumbbell_trace_test::point(parse_signed_rational(phi), parse_signed_rational(phidot),
+                                      parse_signed_rational(y), parse_signed_rational(ydot),
+                                      parse_signed_rational(q));
 }
 
 Box with(Box box, Axis axis, const std::string& lo, const std::string& hi) {
-    box.lo[static_cast<std::size_t>(axis)] = rational(lo);
-    box.hi[static_cast<std::size_t>(axis)] = rational(hi);
+    box.lo[static_cast<std::size_t>(axis)] = parse_signed_rational(lo);
+    box.hi[static_cast<std::size_t>(axis)] = parse_signed_rational(hi);
     return box;
 }
 

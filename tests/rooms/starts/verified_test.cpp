@@ -13,12 +13,9 @@ namespace {
 /// LO:HI of phi, phidot, y, ydot and q, as fractions.
 Box box_of(const std::array<std::array<const char*, 2>, axis_count>& sides) {
     Box box;
-    const auto rational = [](const std::string& text) {
-        return text[0] == '-' ? Rational(-parse_rational(text.substr(1))) : parse_rational(text);
-    };
     for (std::size_t i = 0; i < axis_count; ++i) {
-        box.lo[i] = rational(sides[i][0]);
-        box.hi[i] = rational(sides[i][1]);
+        box.lo[i] = parse_signed_rational(sides[i][0]);
+        box.hi[i] = parse_signed_rational(sides[i][1]);
     }
     return box;
 }
