@@ -17,6 +17,7 @@ enum class Axis { phi, phidot, y, ydot, ratio };
 inline constexpr std::size_t axis_count = 5;
 /// As certificates spell them.
 inline constexpr std::array<std::string_view, axis_count> axis_names{"phi", "phidot", "y", "ydot", "q"};
+inline constexpr decltype(axis_names) incoming_names{"phi", "s", "", "", ""};
 
 /// A closed box of initial conditions in physical terms: rod length 1, phi in radians (the light mass is at
 /// height y + beta2 sin phi), y the height of the centre of mass. An axis of width 0 is an exact number.

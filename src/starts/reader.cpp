@@ -8,22 +8,13 @@
 namespace dumbbell::starts {
 namespace {
 
-/// The order of the axes in the head: the ratio comes first.
-constexpr std::array<std::pair<std::string_view, Axis>, axis_count> head_axes{{{"ratio", Axis::ratio},
-                                                                               {"phi", Axis::phi},
-                                                                               {"phidot", Axis::phidot},
-                                                                               {"y", Axis::y},
-                                                                               {"ydot", Axis::ydot}}};
-
 Node split_from(const Lines& lines, bool incoming, const std::string& axis) {
-    if (incoming && (axis == "phi" || axis == "s")) {
-        return {axis == "s" ? Axis::phidot : Axis::phi, {}};
-    }
-    const auto* const found = std::find(axis_names.begin(), axis_names.end(), axis);
-    if (found == axis_names.end() || incoming) {
+    const auto& names = incoming ? incoming_names : axis_names;
+    const auto* const found = std::find(names.begin(), names.end(), axis);
+    if (found == names.end() || axis.empty()) {
         lines.fail();
     }
-    return {static_cast<Axis>(found - axis_names.begin()), {}};
+    return {static_cast<Axis>(found - names.begin()), {}};
 }
 
 /// `open`, `exactly K [MASS T0 T1]`, `between A B [MASS T0 T1]`
@@ -58,12 +49,10 @@ Certificate read_certificate(const NamedFile& file) {
     if (head.claim != "initial-conditions" && !certificate.incoming) {
         lines.fail();
     }
-    for (const auto& [word, axis] : head_axes) {
-        if (certificate.incoming && axis != Axis::ratio) {
-            break;  // the ratio comes first, and there is nothing else
-        }
-        const auto& ends = lines.expect(word, 3);
-        const auto number = static_cast<std::size_t>(axis);
+    // The ratio comes first, and of incoming trajectories there is nothing else.
+    for (std::size_t i = 0; i < (certificate.incoming ? 1 : axis_count); ++i) {
+        const std::size_t number = (i + 4) % axis_count;
+        const auto& ends = lines.expect(i == 0 ? "ratio" : axis_names.at(number), 3);
         certificate.box.lo[number] = lines.signed_ratio(ends[1]);
         certificate.box.hi[number] = lines.signed_ratio(ends[2]);
         if (certificate.box.hi[number] < certificate.box.lo[number]) {

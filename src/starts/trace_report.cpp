@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 
 #include "base/printable.hpp"
@@ -12,6 +11,7 @@
 #include "starts/shares.hpp"
 #include "starts/writer.hpp"
 #include "words/printed.hpp"
+#include "words/text_table.hpp"
 
 namespace dumbbell::starts {
 
@@ -89,28 +89,18 @@ std::string advice(const TraceReport& report) {
 }
 
 std::string collisions_table(const TraceReport& report) {
-    std::string text;
-    std::array<std::size_t, quantities.size()> widths{};
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-        widths[i] = std::string_view(quantities[i].title).size();
-        for (const auto& c : report.trace.collisions) {
-            widths[i] = std::max(widths[i], (c.*quantities[i].value).text.size());
-        }
+    std::vector<TableLine> lines{{"   #", "mass"}};
+    for (const Quantity& q : quantities) {
+        lines[0].emplace_back(q.title);
     }
-    text += fmt::format("{:>4}  {:5}", "#", "mass");
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-        text += fmt::format("  {:>{}}", quantities[i].title, widths[i]);
-    }
-    text += '\n';
-    long number = 0;
     for (const auto& c : report.trace.collisions) {
-        text += fmt::format("{:>4}  {:5}", ++number, mass_name(c));
-        for (std::size_t i = 0; i < quantities.size(); ++i) {
-            text += fmt::format("  {:>{}}", (c.*quantities[i].value).text, widths[i]);
+        TableLine line{std::to_string(lines.size()), mass_name(c)};
+        for (const Quantity& q : quantities) {
+            line.push_back((c.*q.value).text);
         }
-        text += '\n';
+        lines.push_back(std::move(line));
     }
-    return text;
+    return aligned(lines, 1);
 }
 
 std::string widths_text(const TracedWidths& widths) {
@@ -122,15 +112,13 @@ std::string widths_text(const TracedWidths& widths) {
 
 /// What the box has to do with a start that is given by an irrational angle.
 std::string meaning_text(const TraceReport& report) {
-    const StartMeaning& meaning = report.meaning;
-    std::string text;
-    if (!meaning.rounded_phi.empty()) {
-        text += fmt::format(
-            "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} : {}\n",
-            meaning.rounded_phi, to_fraction(report.box.lower(Axis::phi)),
-            to_fraction(report.box.upper(Axis::phi)));
-    }
-    return text;
+    const std::string& phi = report.meaning.rounded_phi;
+    return phi.empty()
+               ? ""
+               : fmt::format(
+                     "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} "
+                     ": {}\n",
+                     phi, to_fraction(report.box.lower(Axis::phi)), to_fraction(report.box.upper(Axis::phi)));
 }
 
 constexpr int share_digits = 12;

@@ -11,8 +11,6 @@
 namespace dumbbell::starts {
 namespace {
 
-constexpr decltype(axis_names) incoming_names{"phi", "s", "", "", ""};
-
 std::string contact_text(const std::optional<FirstContact>& first) {
     return first ? fmt::format(" {} {} {}", first->heavy ? "heavy" : "light", to_dyadic(first->from),
                                to_dyadic(first->until))
