@@ -65,16 +65,8 @@ function firstFall({ psi, y, vpsi, vy }, A, until) {
 
 /// Bisection: clearance(from) >= 0 > clearance(to).
 function fall(clearance, from, to) {
-    for (let i = 0; i < 200; ++i) {
-        const middle = (from + to) / 2;
-        if (middle <= from || middle >= to) {
-            break;
-        }
-        if (clearance(middle) < 0) {
-            to = middle;
-        } else {
-            from = middle;
-        }
+    for (let middle = (from + to) / 2; middle > from && middle < to; middle = (from + to) / 2) {
+        [from, to] = clearance(middle) < 0 ? [from, middle] : [middle, to];
     }
     return to;
 }
