@@ -17,7 +17,7 @@ struct Bounds {
 /// Dumbbells, or one body with Q rho = 1 (L75).
 bool is_massless(const Box& box) {
     return approximate(box.rho_hi) == 0 ||
-           Rational(box.rho_lo) * Rational(box.q_lo) == 1 && Rational(box.rho_hi) * Rational(box.q_hi) == 1;
+           (Rational(box.rho_lo) * Rational(box.q_lo) == 1 && Rational(box.rho_hi) * Rational(box.q_hi) == 1);
 }
 
 template <class I>
