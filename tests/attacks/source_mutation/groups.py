@@ -109,12 +109,12 @@ GROUPS = {
         targets=("test_critical",),
         programs=("tests/rooms/critical/test_critical",)),
     "starts": Group(
-        files=below("starts", "leaf box_state reader subdivide trace witness_start writer",
-                    "box_state:box_state subdivide:subdivide"),
+        files=below("starts", "cover/leaf air/box_state answer/reader cover/subdivide answer/trace answer/witness_start answer/writer",
+                    "air/box_state:air/box_state cover/subdivide:cover/subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
         programs=("tests/rooms/starts/test_starts",),
-        texts=frozenset({"starts/writer.cpp"})),
+        texts=frozenset({"starts/answer/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
         files=below("adiabatic", "attained box classes cover hypotheses prove reader search writer",
                     "box:box"),

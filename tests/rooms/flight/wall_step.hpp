@@ -4,7 +4,7 @@
 
 #include "flight/bridge_contact.hpp"
 #include "flight/reflection.hpp"
-#include "starts/flight.hpp"
+#include "starts/air/flight.hpp"
 
 /// From light wall to light wall by the steps of src/model, in one pair of coordinates.
 namespace dumbbell_test {

@@ -5,7 +5,7 @@
 
 #include "attacks/oracle/simulate.hpp"
 #include "catch.hpp"
-#include "starts/shares.hpp"
+#include "starts/answer/shares.hpp"
 
 namespace dumbbell_trace_test {
 

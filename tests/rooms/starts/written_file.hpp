@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "rooms/verify/core/make_certificate.hpp"
-#include "starts/subdivide.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
+#include "starts/cover/subdivide.hpp"
 #include "verify/program/verify.hpp"
 
 namespace dumbbell_trace_test {
