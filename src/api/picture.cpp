@@ -8,7 +8,7 @@
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
-#include "starts/reader.hpp"
+#include "starts/answer/reader.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {

@@ -3,7 +3,7 @@
 #include "api/exact_ratio.hpp"
 #include "base/error.hpp"
 #include "dumbbell/trace.hpp"
-#include "starts/given_start.hpp"
+#include "starts/given/given_start.hpp"
 
 namespace dumbbell::api {
 

@@ -7,12 +7,12 @@
 #include "api/single_ratio.hpp"
 #include "api/start.hpp"
 #include "api/translate.hpp"
-#include "starts/incoming.hpp"
-#include "starts/mean.hpp"
-#include "starts/shares.hpp"
-#include "starts/subdivide.hpp"
-#include "starts/trace.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/mean.hpp"
+#include "starts/answer/shares.hpp"
+#include "starts/answer/trace.hpp"
+#include "starts/answer/writer.hpp"
+#include "starts/cover/incoming.hpp"
+#include "starts/cover/subdivide.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {

@@ -2,7 +2,7 @@
 
 #include "api/start.hpp"
 #include "api/translate.hpp"
-#include "starts/trace.hpp"
+#include "starts/answer/trace.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {

@@ -37,7 +37,7 @@ bool certainly_below_bridge(const BridgeApproach<I>& ray, const I& t, const I& r
 }
 
 /// Where the ray seems to dip below the bridge first: Newton's iteration on a convex function, from the left.
-/// Precondition: it dips.
+/// Of one that does not dip the guess is worth nothing.
 inline double guess_bridge_contact(double height, double kappa, double r) {
     double t = 0;
     for (int i = 0; i < 40; ++i) {

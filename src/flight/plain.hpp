@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <type_traits>
 
 #include "base/interrupted.hpp"
 #include "flight/bridge_contact.hpp"
@@ -14,18 +13,6 @@
 /// none is known to be monotone. Rests on L1, L3, L4, and of L6 on "B at most once"; of bodies with mass
 /// between their contacts on L71.
 namespace dumbbell::flight {
-
-/// The bodies of a box (body.md): the height rho of the bridge, r = 1/Q, and g = r / rho.
-template <class I>
-struct Body {
-    I rho, r, g;
-    bool once;  ///< no flight from the bridge comes back to it (L6 (c)): all mass is at the contacts, g = 1
-
-    /// Massless dumbbells.
-    Body(const I& ratio) : rho(ratio), r(ratio), g(1), once(true) {}  // NOLINT(google-explicit-constructor)
-    Body(const I& height, const I& ratio, bool is_massless)
-        : rho(height), r(ratio), g(is_massless ? I(1) : ratio / height), once(is_massless) {}
-};
 
 /// All rays with these heights and slopes on their way to a light wall.
 template <class I>
@@ -147,13 +134,13 @@ PlainRay<I> past_bridge(const PlainDeparture<I>& from) {
 }  // namespace detail
 
 template <class I>
-long plain_later_collisions(PlainDeparture<I> from, const std::type_identity_t<Body<I>>& body, long cap,
+long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long cap,
                             const Interrupted& interrupted = never);
 
 /// An upper bound of the number of collisions of rays that have no bridge before the next light wall. Stops
 /// at `cap` + 1, also if interrupted. Flattened, as the other one: intervals stay in registers.
 template <class I>
-[[gnu::flatten]] long plain_count(PlainRay<I> ray, const std::type_identity_t<Body<I>>& body, long cap,
+[[gnu::flatten]] long plain_count(PlainRay<I> ray, const Body<I>& body, long cap,
                                   const Interrupted& interrupted = never) {
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), ray.kappa)) {
@@ -167,8 +154,9 @@ template <class I>
         if (ends_early(count, interrupted)) {
             return cap + 1;
         }
-        if (!body.once) {
-            // Which may branch again and again.
+        if (!body.is_massless) {
+            // It may come back to the bridge, and branch there again and again; of dumbbells none does (L6
+            // (c)).
             const bool ends = count == cap || interrupted();
             return ends ? cap + 1 : 1 + plain_later_collisions(next, body, cap - 1, interrupted);
         }
@@ -206,10 +194,7 @@ struct OffBridge {
 template <class I>
 OffBridge<I> off_bridge(const I& t, const I& kappa, const Body<I>& body) {
     const SinCos<I> at = sin_cos(t);
-    const I& s = at.cos;
-    const I square = body.rho * sqr(s);
-    const I numerator = I(2) * body.r * s - kappa * (body.g - square);
-    const I leftward = body.g + I(2) * s * kappa - square;  // the sign of the motion to the left
+    const auto [numerator, leftward] = reflect_at_end(End::heavy, kappa, at.cos, body);
     OffBridge<I> rays;
     if (!certainly_at_most(leftward, I(0))) {
         const I slope = slope_of(numerator, leftward, rays.undecided);
@@ -241,8 +226,7 @@ long plain_count_after_bridge(const I& t, const I& kappa, const Body<I>& body, l
 /// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1,
 /// also if interrupted.
 template <class I>
-[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from,
-                                             const std::type_identity_t<Body<I>>& body, long cap,
+[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long cap,
                                              const Interrupted& interrupted) {
     const RatioRange<I> heights{low_end(body.rho), high_end(body.rho)};
     long most = 0;

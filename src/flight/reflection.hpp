@@ -1,5 +1,7 @@
 #pragma once
 
+#include "flight/body.hpp"
+
 /// Reflections off the three walls, in units of the theory: slopes kappa, or lambda = kappa / r
 /// (proofs/lemmas.md, L4, L8, L9).
 namespace dumbbell::flight {
@@ -17,6 +19,16 @@ LightReflection<I> reflect_at_light_wall(const I& kappa, const I& w, const I& r)
     const I w_squared = sqr(w);
     const I two = I(2);
     return {kappa * w_squared + r * (two * w - kappa), w_squared - two * kappa * w - r};
+}
+
+/// The reflection of a slope kappa = d yhat / d phi where `end` touches, c = cos phi: numerator /
+/// denominator, the denominator having the sign of phidot' times that of phidot. With the end's leverage l
+/// and weight w it is (-+2 r c - kappa (w - l c^2)) / (w - l c^2 -+ 2 kappa c): - at the light end, + at the
+/// bridge; there it decreases with kappa and increases with c where the denominator keeps its sign (L60 (c)).
+template <class I>
+LightReflection<I> reflect_at_end(End end, const I& kappa, const I& c, const Body<I>& body) {
+    const I rest = body.weight(end) - body.leveraged(end, sqr(c));
+    return {-turned(end, I(2) * body.r * c) - kappa * rest, rest - kappa * turned(end, I(2) * c)};
 }
 
 /// The reversed incoming ray at a light wall in units of r (L9): D = w^2 + 2 r lambda w - r and P = 2 w + r

@@ -4,7 +4,7 @@
 #include "number/interval.hpp"
 
 /// What the dynamics need to know of the values that they are evaluated with: plain enclosures (natural
-/// form), or jets (mean value form, starts/jet.hpp).
+/// form), or jets (mean value form, starts/air/jet.hpp).
 namespace dumbbell {
 
 /// The interval type in which a value's range is known.

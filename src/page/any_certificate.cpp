@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
 #include "file/lines.hpp"
-#include "starts/reader.hpp"
+#include "starts/answer/reader.hpp"
 
 namespace dumbbell::page {
 

@@ -5,7 +5,7 @@
 
 #include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
-#include "starts/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 
 namespace dumbbell::page {
 

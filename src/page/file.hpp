@@ -5,7 +5,7 @@
 #include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
 #include "page/tree.hpp"
-#include "starts/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 #include "words/json.hpp"
 
 /// One file of the page's data, by claim kind: its claim, trees and starting states, and the options with

@@ -10,8 +10,8 @@
 #include "page/file.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
-#include "starts/shares.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/shares.hpp"
+#include "starts/answer/writer.hpp"
 
 namespace dumbbell::page {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "starts/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 
 namespace dumbbell::pictures {
 

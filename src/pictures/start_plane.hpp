@@ -6,7 +6,7 @@
 
 #include "pictures/frame.hpp"
 #include "pictures/plane_box.hpp"
-#include "starts/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 
 /// A certificate about initial conditions that vary in two quantities, as a picture has them.
 namespace dumbbell::pictures {

@@ -6,16 +6,19 @@ const mostPieces = 100000; // monotone pieces of one flight
 /// The floor under the light mass is -cos psi, under the heavy one rho cos psi.
 export const floorAt = (psi, rho) => Math.max(-Math.cos(psi), rho * Math.cos(psi));
 
-/// The velocity behind a collision: equation (1) of L0.
-export function reflected(state, heavy, r, rho = r) {
-    const slope = heavy ? -rho * Math.sin(state.psi) : Math.sin(state.psi);
-    const k = (2 * (state.vy - slope * state.vpsi)) / (slope * slope + r);
-    return { vpsi: state.vpsi + k * slope, vy: state.vy - k * r };
+const slopeAt = (psi, heavy, rho) => (heavy ? -rho : 1) * Math.sin(psi);
+
+/// The velocity behind a collision with a floor of this slope: equation (1) of L0.
+export function bounced({ vpsi, vy }, slope, r) {
+    const k = (2 * (vy - slope * vpsi)) / (slope * slope + r);
+    return { vpsi: vpsi + k * slope, vy: vy - k * r };
 }
+
+export const reflected = (state, heavy, r, rho = r) => bounced(state, slopeAt(state.psi, heavy, rho), r);
 
 /// The sine of the angle between flight and floor, in the metric of the kinetic energy.
 export function grazingSine(state, heavy, r, rho = r) {
-    const slope = heavy ? -rho * Math.sin(state.psi) : Math.sin(state.psi);
+    const slope = slopeAt(state.psi, heavy, rho);
     const speed = Math.sqrt(state.vpsi ** 2 + state.vy ** 2 / r);
     return Math.abs(state.vy - slope * state.vpsi) / Math.sqrt(slope * slope + r) / speed;
 }
@@ -62,16 +65,8 @@ function firstFall({ psi, y, vpsi, vy }, A, until) {
 
 /// Bisection: clearance(from) >= 0 > clearance(to).
 function fall(clearance, from, to) {
-    for (let i = 0; i < 200; ++i) {
-        const middle = (from + to) / 2;
-        if (middle <= from || middle >= to) {
-            break;
-        }
-        if (clearance(middle) < 0) {
-            to = middle;
-        } else {
-            from = middle;
-        }
+    for (let middle = (from + to) / 2; middle > from && middle < to; middle = (from + to) / 2) {
+        [from, to] = clearance(middle) < 0 ? [from, middle] : [middle, to];
     }
     return to;
 }

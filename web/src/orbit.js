@@ -38,32 +38,20 @@ export function orbitFromContact(q, state, heavy) {
 
 /// Of a body with the heights rho (L70): q is its Q.
 export function forward(q, state, collision, first, rho = 1 / q) {
-    const r = 1 / q;
     const collisions = collision ? [collision] : [];
-    let complete = true;
-    let isCorner = false;
-    for (;;) {
-        const next = nextContact(state, rho, collisions.at(-1)?.heavy ?? null);
-        if (!next) {
-            complete = !(state.vy < 0); // what falls hits the floor: doubles did not find where
-            break;
-        }
-        if (collisions.length >= mostCollisions) {
-            complete = false;
-            break;
-        }
+    const contact = () => nextContact(state, rho, collisions.at(-1)?.heavy ?? null);
+    const isAtCorner = (next) => Math.abs(Math.cos(state.psi + state.vpsi * next.after)) < cornerRange;
+    let next = contact();
+    for (; next && collisions.length < mostCollisions && !isAtCorner(next); next = contact()) {
         const at = { t: state.t + next.after, psi: state.psi + state.vpsi * next.after, y: state.y + state.vy * next.after };
-        if (Math.abs(Math.cos(at.psi)) < cornerRange) {
-            complete = false;
-            isCorner = true;
-            break;
-        }
         const before = { vpsi: state.vpsi, vy: state.vy };
-        const after = reflected({ ...at, ...before }, next.heavy, r, rho);
+        const after = reflected({ ...at, ...before }, next.heavy, 1 / q, rho);
         collisions.push({ ...at, heavy: next.heavy, before, after });
         state = { ...at, ...after };
     }
-    const until = isCorner ? state.t + nextContact(state, rho, collisions.at(-1)?.heavy ?? null).after : state.t + shownAfter(state);
+    const isCorner = next !== null && collisions.length < mostCollisions;
+    const complete = next === null && !(state.vy < 0); // what falls hits the floor: doubles did not find where
+    const until = state.t + (isCorner ? next.after : shownAfter(state));
     return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
 }
 

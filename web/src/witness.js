@@ -1,6 +1,6 @@
 // The orbit of a certificate's witness, and the two extremal orbits: rays that go from wall to wall by lemma L4. The start and the
 // numbers of collisions are the certificate's; what is between is computed here in doubles, as an illustration.
-import { reflected } from "./flight.js";
+import { bounced, reflected } from "./flight.js";
 import { forward, joined, mostCollisions } from "./orbit.js";
 
 /// |dpsi/dt| on a flight of slope kappa, in the unit of time in which psi'^2 + q y'^2 = 1.
@@ -87,9 +87,7 @@ function followWedge(x, kappa, r, direction) {
         const at = { psi: direction * (Math.PI / 2 + next), y: next };
         const before = { vpsi: direction * v, vy: kappa * v };
         const D = 1 - 2 * kappa - r;
-        const k = (2 * (before.vy - before.vpsi * direction)) / (1 + r);
-        const after = { vpsi: before.vpsi + k * direction, vy: before.vy - k * r };
-        collisions.push({ t, ...at, heavy: false, before, after });
+        collisions.push({ t, ...at, heavy: false, before, after: bounced(before, direction, r) });
         if (!(D > 0)) {
             break;
         }
@@ -117,9 +115,7 @@ export function wedgeOrbit(lambda, q) {
     const { out, back } = at(x);
     const v = speed(kappa, r);
     const after = { vpsi: -v, vy: kappa * v };
-    const k = (2 * (after.vy - after.vpsi)) / (1 + r);
-    const before = { vpsi: after.vpsi + k, vy: after.vy - k * r };
-    const middle = { t: 0, psi: Math.PI / 2 + x, y: x, heavy: false, before, after };
+    const middle = { t: 0, psi: Math.PI / 2 + x, y: x, heavy: false, before: bounced(after, 1, r), after };
     return joined(q, middle, out, back, "wedge");
 }
 

@@ -7,7 +7,7 @@
 #include "base/fields.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
-#include "starts/argument.hpp"
+#include "starts/given/argument.hpp"
 
 namespace dumbbell::cli {
 

@@ -25,7 +25,7 @@
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
-#include "starts/witness_start.hpp"
+#include "starts/answer/witness_start.hpp"
 
 namespace dumbbell::cli {
 

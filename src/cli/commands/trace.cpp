@@ -1,4 +1,4 @@
-#include "starts/trace.hpp"
+#include "starts/answer/trace.hpp"
 
 #include <fmt/core.h>
 
@@ -16,12 +16,12 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "number/ratio_argument.hpp"
-#include "starts/given_start.hpp"
-#include "starts/incoming.hpp"
-#include "starts/leaf.hpp"
-#include "starts/subdivide.hpp"
-#include "starts/trace_report.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/trace_report.hpp"
+#include "starts/answer/writer.hpp"
+#include "starts/cover/incoming.hpp"
+#include "starts/cover/leaf.hpp"
+#include "starts/cover/subdivide.hpp"
+#include "starts/given/given_start.hpp"
 
 namespace dumbbell::cli {
 

@@ -52,9 +52,11 @@ Witness best_contact(const flight::Body<Interval>& body, long enough, const Inte
 }
 
 flight::Body<Interval> bodies_of(const Range& q, const Range& rho) {
-    return {hull(enclose<Interval>(rho.lo), enclose<Interval>(rho.hi)),
-            hull(enclose<Interval>(1 / q.hi), enclose<Interval>(1 / q.lo)),
-            rho.lo * q.lo == 1 && rho.hi * q.hi == 1};
+    using Body = flight::Body<Interval>;
+    const Interval r = hull(enclose<Interval>(1 / q.hi), enclose<Interval>(1 / q.lo));
+    return rho.lo * q.lo == 1 && rho.hi * q.hi == 1
+               ? Body::massless(r)
+               : Body::with_mass(hull(enclose<Interval>(rho.lo), enclose<Interval>(rho.hi)), r);
 }
 
 }  // namespace

@@ -14,16 +14,17 @@ struct FullBounds {
     flight::Body<I> body;
 };
 
-/// The bodies of a box; of no body the massless dumbbells. `once`: one body, with Q rho = 1 (L75).
+/// The bodies of a box; massless dumbbells if it has no rho, or is of one body with Q rho = 1 (L75).
 template <class I>
 flight::Body<I> body_of(const Box& box) {
     const auto& [position, slope, q, rho] = box.sides;
     const I r = hull(q.hi.template inverse<I>(), q.lo.template inverse<I>());
-    if (approximate(rho.hi) == 0) {
-        return r;
-    }
-    const bool is_massless = Rational(rho.lo) * Rational(q.lo) == 1 && Rational(rho.hi) * Rational(q.hi) == 1;
-    return {hull(rho.lo.template enclosure<I>(), rho.hi.template enclosure<I>()), r, is_massless};
+    const bool is_massless =
+        approximate(rho.hi) == 0 ||
+        (Rational(rho.lo) * Rational(q.lo) == 1 && Rational(rho.hi) * Rational(q.hi) == 1);
+    return is_massless ? flight::Body<I>::massless(r)
+                       : flight::Body<I>::with_mass(
+                             hull(rho.lo.template enclosure<I>(), rho.hi.template enclosure<I>()), r);
 }
 
 template <class I>

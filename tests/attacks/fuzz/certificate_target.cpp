@@ -13,7 +13,7 @@
 #include "rooms/verify/core/make_certificate.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
 #include "target.hpp"
 #include "truth.hpp"
 #include "verify/program/verify.hpp"

@@ -9,7 +9,7 @@
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "number/rational.hpp"
-#include "starts/argument.hpp"
+#include "starts/given/argument.hpp"
 #include "target.hpp"
 #include "verify/program/claim_options.hpp"
 

@@ -10,7 +10,7 @@
 #include "certificates.hpp"
 #include "scratch.hpp"
 #include "start_truth.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
 #include "target.hpp"
 #include "verify/program/verify.hpp"
 

@@ -7,9 +7,9 @@
 #include "collisions/leaf.hpp"
 #include "collisions/piece.hpp"
 #include "collisions/writer.hpp"
-#include "starts/incoming.hpp"
-#include "starts/subdivide.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
+#include "starts/cover/incoming.hpp"
+#include "starts/cover/subdivide.hpp"
 
 namespace dumbbell_mutation {
 namespace {

@@ -6,7 +6,7 @@
 #include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "mutations.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
 
 namespace dumbbell_mutation {
 namespace {

@@ -96,9 +96,10 @@ GROUPS = {
         targets=("test_flight", "test_flight_long"),
         programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
     "collisions": Group(
-        files=below("collisions", "certificate certify cover dumbbell full_leaf leaf leaf_boxes piece piece_store plan "
-                    "reader scene section step_guess turning_leaf wedge/leaf wedge/scene witness witness_orbit writer",
-                    "leaf_judges:leaf piece_store:piece_store"),
+        files=below("collisions", "certificate certify chart claim cover halving leaf leaf_boxes part piece piece_store plan reader "
+                    "section sections/dumbbell sections/full sections/turning sections/wedge step_guess witness "
+                    "witness_orbit writer",
+                    "piece_store:piece_store"),
         left_out=frozenset(),
         targets=("test_collisions",),
         programs=("tests/rooms/collisions/test_collisions",),
@@ -109,12 +110,12 @@ GROUPS = {
         targets=("test_critical",),
         programs=("tests/rooms/critical/test_critical",)),
     "starts": Group(
-        files=below("starts", "leaf box_state reader subdivide trace witness_start writer",
-                    "box_state:box_state subdivide:subdivide"),
+        files=below("starts", "cover/leaf air/box_state answer/reader cover/subdivide answer/trace answer/witness_start answer/writer",
+                    "air/box_state:air/box_state cover/subdivide:cover/subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
         programs=("tests/rooms/starts/test_starts",),
-        texts=frozenset({"starts/writer.cpp"})),
+        texts=frozenset({"starts/answer/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
         files=below("adiabatic", "attained box classes cover hypotheses prove reader search writer",
                     "box:box"),

@@ -36,7 +36,9 @@ Sample random_sample(Random& random, double widest) {
 }
 
 Interval side(const Sample& s, double lo) { return {lo, lo * (1 + s.width)}; }
-Body<Interval> body_of(const Sample& s) { return {side(s, s.rho), Interval(1) / side(s, s.q), false}; }
+Body<Interval> body_of(const Sample& s) {
+    return Body<Interval>::with_mass(side(s, s.rho), Interval(1) / side(s, s.q));
+}
 
 struct Counted {
     long found;
@@ -102,10 +104,10 @@ TEST_CASE("From 20,000 contacts with the bridge both rays are counted, from abov
 
 TEST_CASE("Nothing is certain of what is not known, and no bound follows from it") {
     const Interval nothing = Interval(-1, 1) / Interval(0);
-    const Body<Interval> coin(Interval(1), Interval(0.25), false);
+    const auto coin = Body<Interval>::with_mass(Interval(1), Interval(0.25));
     CHECK(certain_count(PlainRay<Interval>{nothing, Interval(0)}, coin, 9) == 0);
     CHECK(certain_count(PlainRay<Interval>{Interval(0.1), nothing}, coin, 9) == 0);
     CHECK(plain_count(PlainRay<Interval>{Interval(0.1), nothing}, coin, 9) > 9);
-    CHECK(plain_count(PlainRay<Interval>{Interval(0.1), Interval(-0.2)}, {nothing, Interval(0.25), false},
-                      9) > 9);
+    CHECK(plain_count(PlainRay<Interval>{Interval(0.1), Interval(-0.2)},
+                      Body<Interval>::with_mass(nothing, Interval(0.25)), 9) > 9);
 }

@@ -57,9 +57,11 @@ TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
     REQUIRE(later_collisions_at_most(steep, steep, range, interrupted_cap) < interrupted_cap);
     CHECK(later_collisions_at_most(steep, steep, range, interrupted_cap, Patience(0)) == interrupted_cap + 1);
     const flight::PlainRay<Interval> thin{Interval(0), Interval(1e-7)};
-    CHECK(plain_count(thin, r, interrupted_cap, Patience(0)) == interrupted_cap + 1);
+    CHECK(plain_count(thin, flight::Body<Interval>::massless(r), interrupted_cap, Patience(0)) ==
+          interrupted_cap + 1);
     const PlainDeparture<Interval> from{steep.x, steep.sin_x, steep.kappa};
-    CHECK(plain_later_collisions(from, r, interrupted_cap, Patience(0)) == interrupted_cap + 1);
+    CHECK(plain_later_collisions(from, flight::Body<Interval>::massless(r), interrupted_cap, Patience(0)) ==
+          interrupted_cap + 1);
 }
 
 TEST_CASE("Interrupted counts in the wedge: the exact one says nothing, the rounded one is undecided") {

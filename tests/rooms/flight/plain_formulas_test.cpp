@@ -33,7 +33,8 @@ TEST_CASE("The plain count of rays to the light walls bounds the true number, 20
             continue;  // not a ray of L4
         }
         const dumbbell_test::DoubleRay state{pick(random, c), pick(random, kappa), pick(random, r)};
-        const long most = plain_count(dumbbell::flight::PlainRay<Interval>{c, kappa}, r, plain_cap);
+        const long most = plain_count(dumbbell::flight::PlainRay<Interval>{c, kappa},
+                                      flight::Body<Interval>::massless(r), plain_cap);
         const long exact = ray_count<Real>(state, plain_cap).hits;
         if (exact > most) {
             FAIL(say(state, "has", exact, "collisions, the bound is", most, "for", c, kappa, r));

@@ -74,6 +74,29 @@ TEST_CASE("The reversed steepness at the bridge is enclosed, formula (3)") {
     }
 }
 
+TEST_CASE("The slope behind a contact of either end of a body encloses formula (1) of L0") {
+    Random random(135);
+    for (int i = 0; i < 20'000; ++i) {
+        const double r = random_r(random), c = random.uniform(-1, 1), kappa = random.uniform(-1, 1);
+        const double rho = random.coin() ? r : random.uniform(r, 1);
+        const auto body = rho == r ? Body<Interval>::massless(Interval(r))
+                                   : Body<Interval>::with_mass(Interval(rho), Interval(r));
+        for (const End end : {End::light, End::heavy}) {
+            const Real leverage(end == End::light ? 1.0 : rho);
+            const Real wall = -turned(end, Real(leverage * c));
+            const Vector<Real> out = reflect<Real>({Real(1), Real(kappa)}, wall, Real(r));
+            const Real norm = (wall * wall + r) / leverage;
+            const auto ours =
+                reflect_at_end(end, spread_around(random, kappa), spread_around(random, c), body);
+            if (!encloses(ours.denominator, Real(out.angular * norm)) ||
+                !encloses(ours.numerator, Real(out.vertical * norm))) {
+                FAIL(say("rho", rho, "r", r, "kappa", kappa, "c", c, "gives", ours.numerator,
+                         ours.denominator));
+            }
+        }
+    }
+}
+
 TEST_CASE("A ray along the bridge's tangent comes back as itself, a contact at the peak is symmetric") {
     CHECK(encloses(reversed_steepness(Interval(0), Interval(0.7), Interval(0.1)), Real(0)));
     const auto symmetric = reversed_steepness(Interval(0.4), Interval(0), Interval(0.1));

@@ -4,7 +4,7 @@
 
 #include "flight/bridge_contact.hpp"
 #include "flight/reflection.hpp"
-#include "starts/flight.hpp"
+#include "starts/air/flight.hpp"
 
 /// From light wall to light wall by the steps of src/model, in one pair of coordinates.
 namespace dumbbell_test {
@@ -28,13 +28,14 @@ std::optional<WallState<S>> step(const WallState<S>& from, const R& r, End& end)
     using namespace dumbbell::flight;
     using namespace dumbbell::starts;
     using I = Enclosure<S>;
-    const State<S> start{S(pi<I>()) + from.x, sin_cos(from.x).sin, S(-1), from.kappa, S(r), S(0)};
-    const dumbbell::starts::Event<S> event = event_after_contact(start, Mass::light);
+    const State<S> start{S(pi<I>()) + from.x, sin_cos(from.x).sin,     S(-1),
+                         from.kappa,          Body<S>::massless(S(r)), S(0)};
+    const dumbbell::starts::Event<S> event = event_after_contact(start, dumbbell::flight::End::light);
     end = event.next == Next::none ? End::passed : End::open;
-    if (event.next != Next::contact || event.mass != Mass::light) {
+    if (event.next != Next::contact || event.end != dumbbell::flight::End::light) {
         return std::nullopt;
     }
-    const State<S> after = bounce(start, Mass::light, *event.time).after;
+    const State<S> after = bounce(start, event.end, *event.time).after;
     end = certainly_at_most(range(after.phidot), I(0)) ? End::left : End::struck;  // L1
     return certainly_positive(range(after.phidot))
                ? std::optional(WallState<S>{-after.phi, after.yhatdot / after.phidot})

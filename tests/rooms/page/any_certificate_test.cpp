@@ -11,7 +11,7 @@
 #include "programs/cli/process.hpp"
 #include "rooms/collisions/example.hpp"
 #include "rooms/not_root.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::page;

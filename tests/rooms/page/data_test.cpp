@@ -4,7 +4,7 @@
 #include "catch.hpp"
 #include "rooms/collisions/example.hpp"
 #include "rooms/parsed.hpp"
-#include "starts/incoming.hpp"
+#include "starts/cover/incoming.hpp"
 
 using namespace dumbbell_test;
 using namespace dumbbell::collisions;

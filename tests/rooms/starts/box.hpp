@@ -3,8 +3,8 @@
 #include <random>
 
 #include "attacks/oracle/simulate.hpp"
-#include "starts/certificate.hpp"
-#include "starts/trace.hpp"
+#include "starts/answer/trace.hpp"
+#include "starts/cover/certificate.hpp"
 
 namespace dumbbell_trace_test {
 

@@ -2,7 +2,7 @@
 // left half has 2 collisions; the right half's lower part 1, its upper part is not decided.
 #pragma once
 
-#include "starts/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 
 namespace dumbbell_test {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "rooms/verify/core/make_certificate.hpp"
-#include "starts/subdivide.hpp"
-#include "starts/writer.hpp"
+#include "starts/answer/writer.hpp"
+#include "starts/cover/subdivide.hpp"
 #include "verify/program/verify.hpp"
 
 namespace dumbbell_trace_test {
@@ -16,6 +16,33 @@ inline std::string written(const dumbbell::starts::Box& box, const dumbbell::sta
                                                 .bits = parts.bits,
                                                 .tree = parts.tree.nodes()})
         .text;
+}
+
+/// What the verifier finds in this text, with the shares.
+inline dumbbell_verify::starts::Claim checked(const std::string& text) {
+    const make::File file(text);
+    dumbbell_verify::Request settings;
+    settings.shares = true;
+    return std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
+}
+
+/// The leaves of a tree with their boxes.
+template <class Use>
+void for_each_leaf(const dumbbell::starts::PackedTree& tree, dumbbell::starts::Box root, const Use& use) {
+    std::vector<dumbbell::starts::Box> boxes{std::move(root)};
+    tree.for_each([&](const dumbbell::starts::Node& node) {
+        auto here = std::move(boxes.back());
+        boxes.pop_back();
+        if (!node.split) {
+            use(here, node.leaf);
+            return;
+        }
+        const auto i = static_cast<std::size_t>(*node.split);
+        auto lower = here;
+        here.lo[i] = lower.hi[i] = (here.lo[i] + here.hi[i]) / 2;
+        boxes.push_back(std::move(here));
+        boxes.push_back(std::move(lower));
+    });
 }
 
 /// What the verifier says of this text: its failure, or nothing.
