@@ -19,9 +19,8 @@ template <class I>
 flight::Body<I> body_of(const Box& box) {
     const auto& [position, slope, q, rho] = box.sides;
     const I r = hull(q.hi.template inverse<I>(), q.lo.template inverse<I>());
-    const bool is_massless =
-        approximate(rho.hi) == 0 ||
-        (Rational(rho.lo) * Rational(q.lo) == 1 && Rational(rho.hi) * Rational(q.hi) == 1);
+    const bool is_massless = approximate(rho.hi) == 0 || (Rational(rho.lo) * Rational(q.lo) == 1 &&
+                                                          Rational(rho.hi) * Rational(q.hi) == 1);
     return is_massless ? flight::Body<I>::massless(r)
                        : flight::Body<I>::with_mass(
                              hull(rho.lo.template enclosure<I>(), rho.hi.template enclosure<I>()), r);
