@@ -7,6 +7,7 @@
 #include "api/jobs.hpp"
 #include "api/translate.hpp"
 #include "collisions/certify.hpp"
+#include "collisions/demand.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
@@ -47,19 +48,28 @@ Piece given(const collisions::Piece& piece) {
     return {to_fraction(piece.q_lo), to_fraction(piece.q_hi), as_long(piece.lower), most};
 }
 
+Proof proof_of(const collisions::Certificate& certificate, SealedText text) {
+    Proof proof;
+    std::vector<const collisions::Piece*> pieces;
+    for (const collisions::Piece& piece : certificate.pieces) {
+        proof.pieces.push_back(given(piece));
+        pieces.push_back(&piece);
+    }
+    proof.certificate = std::move(text.text);
+    proof.sha256 = std::move(text.sha256);
+    proof.demand = whole_demand(certificate, pieces);
+    return proof;
+}
+
 Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
     const CallerStops stops(options.stopped);
     const collisions::CertifyRequest request = request_of(ratio, options);
     collisions::Certificate certificate;
     certificate.section = request.section;
-    Proof proof;
     for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
-        proof.pieces.push_back(given(certificate.pieces.emplace_back(std::move(proved.piece))));
+        certificate.pieces.push_back(std::move(proved.piece));
     }
-    SealedText text = render(certificate);
-    proof.certificate = std::move(text.text);
-    proof.sha256 = std::move(text.sha256);
-    return proof;
+    return proof_of(certificate, render(certificate));
 }
 
 }  // namespace
@@ -87,16 +97,12 @@ Proof read_proof(std::string_view text) {
         if (certificate.scene != collisions::Scene::dumbbell || certificate.sha256.empty()) {
             throw dumbbell::InputError("the certificate is damaged, or not about N(q)");
         }
-        Proof proof;
-        for (const collisions::Piece& piece : certificate.pieces) {
-            proof.pieces.push_back(given(piece));
-        }
+        std::string unpacked;
         UnpackedText lines(source);
         for (auto line = lines.next_line(); !line.empty(); line = lines.next_line()) {
-            proof.certificate += line;
+            unpacked += line;
         }
-        proof.sha256 = certificate.sha256;
-        return proof;
+        return proof_of(certificate, {std::move(unpacked), certificate.sha256});
     });
 }
 

@@ -48,6 +48,7 @@ StartsProof proof_of(const starts::Box& box, bool incoming, const StartsOptions&
     proof.undecided = to_fraction(parts.undecided.share);
     add_shares(proof, parts.tree);
     const starts::Certificate frame{.box = box, .bits = parts.bits, .tree = {}, .incoming = incoming};
+    proof.demand = claim_options(incoming, box, parts.least, parts.most, Rational(1) - parts.undecided.share);
     proof.sha256 = render(frame, parts.tree, [&](std::string_view part) { proof.certificate.append(part); });
     return proof;
 }

@@ -86,6 +86,22 @@ def word(x):
     raise _InputTypeError(f"{_shown(x)} is no text: give a str")
 
 
+def demand(claims):
+    """`--ratio=10 --coin`: a claim as dumbbell-verify spells it. What is None is not claimed."""
+    names = {"most": "max", "least": "min", "kind": "claim"}
+    words = []
+    for name, x in claims.items():
+        option = "--" + names.get(name, name.replace("_", "-"))
+        if name == "coin" and isinstance(x, bool):
+            words += [option] * x
+        elif x is not None:
+            words.append(word(f"{option}={number(x)}"))
+    for one in words:
+        if one.split() != [one]:
+            raise InputError(f"{_shown(one)} has a blank in it: give each part of a claim by its own name")
+    return " ".join(words)
+
+
 def path(x):
     try:
         name = os.fsencode(x)

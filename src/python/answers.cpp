@@ -61,7 +61,7 @@ py::tuple critical(const Whole& n, const Whole& digits, const Budget& budget) {
 py::tuple law(const Number& q) {
     const api::MassRatio ratio(q.value);
     const api::Law found = running([&](const api::Stopped&) { return api::law(ratio); });
-    return py::make_tuple(whole(found.least), whole(found.most));
+    return py::make_tuple(py::int_(py::str(found.least)), py::int_(py::str(found.most)));
 }
 
 Trace trace(const Number& q, const Number& phi, const Number& phidot, const Number& y, const Number& ydot,

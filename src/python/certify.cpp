@@ -72,18 +72,14 @@ std::string described(const Proof& proof) {
     return "<Certificate of " + ratio_text(proof) + ": " + bounds + ">";
 }
 
-api::Verification verify_proof(const Proof& proof, const Whole& jobs) {
-    return verify_itself(proof.certificate, {}, proof.least(), proof.most(), jobs);
-}
-
 /// Of a file that says something false there is none.
 Proof read(const Content& file, const Whole& jobs) {
-    const api::Verification found = running(
-        [&](const api::Stopped& stopped) { return api::verify_text(file.value, {}, jobs, "100h", stopped); });
+    Proof proof = api::read_proof(file.value);
+    const api::Verification found = verify_itself(proof, jobs);
     if (!found && found.verdict != api::Verdict::open) {
         throw api::InputError("not a certificate of N(q) that the verifier verifies: " + found.text);
     }
-    return api::read_proof(file.value);
+    return proof;
 }
 
 api::CertifyOptions certify_options(const Word& section, const Number& gap, const Whole& jobs,
@@ -132,7 +128,7 @@ void add(py::module_& module, const char* name, Function function, const char* t
 }  // namespace
 
 void add_certify(py::module_& module) {
-    py::class_<Proof>(module, "Certificate", certificate_text)
+    certificate_class<Proof>(module, "Certificate", certificate_text)
         .def(py::init(&read), py::arg("file"), py::kw_only(), py::arg("jobs") = 1)
         .def(py::pickle([](const Proof& p) { return py::bytes(p.certificate); },
                         [](const py::bytes& text) { return api::read_proof(text.cast<std::string>()); }))
@@ -142,16 +138,11 @@ void add_certify(py::module_& module) {
         .def_property_readonly("lower", &Proof::least, "N(q) is at least this, for every q")
         .def_property_readonly("upper", &Proof::most, "and at most this; None: a piece is open")
         .def_property_readonly("pieces", pieces_of, "(lo, hi, lower, upper) of each, in order")
-        .def_property_readonly("bytes", [](const Proof& p) { return py::bytes(p.certificate); })
-        .def_readonly("sha256", &Proof::sha256, "as the last line has it")
-        .def("verify", verify_proof, "Asks the independent verifier for all that the certificate says.",
-             py::kw_only(), py::arg("jobs") = 1)
         .def(
             "save", [](const Proof& p, const Path& path) { api::save(p, path.value); },
             "Writes the file (NAME.gz: compressed), whole or not at all.", py::arg("path"))
         .def("svg", static_cast<std::string (*)(const Proof&)>(api::picture),
              "The staircase of a range, with the source paper's bound; the orbit of a ratio.")
-        .def("_repr_svg_", picture_or_none<Proof>)
         .def(
             "__eq__", [](const Proof& a, const Proof& b) { return a.certificate == b.certificate; },
             py::is_operator())

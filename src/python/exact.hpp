@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <concepts>
 #include <dumbbell/interval.hpp>
 #include <dumbbell/mass_ratio.hpp>
@@ -14,74 +15,61 @@
 /// What goes between Python and the library: numbers exactly, as text.
 namespace dumbbell::python {
 
-// What a function may be given: `how` is the function of _given.py that takes it, or raises InputError.
+template <std::size_t size>
+struct Text {
+    char letters[size];
+    consteval Text(const char (&text)[size]) { std::ranges::copy(text, letters); }
+};
 
-/// `9/2`, or of a pair `1:100`.
-struct Number {
-    static constexpr auto name = pybind11::detail::const_name("Ratio");
-    static constexpr const char* how = "number";
-    std::string value;
-};
-struct Numbers {
-    static constexpr auto name = pybind11::detail::const_name("Iterable[Ratio]");
-    static constexpr const char* how = "numbers";
-    std::vector<std::string> value;
-};
-struct Whole {
-    static constexpr auto name = pybind11::detail::const_name("int");
-    static constexpr const char* how = "whole";
-    long value;
+/// What a function may be given, which its signature calls `name`: the function `how` of _given.py takes it,
+/// or raises InputError.
+template <class T, Text how, Text name>
+struct Given {
+    T value;
 
     /// The nearest number of the type.
-    template <std::integral T>
-    operator T() const {
-        return std::in_range<T>(value) ? static_cast<T>(value)
-               : value < 0             ? std::numeric_limits<T>::min()
-                                       : std::numeric_limits<T>::max();
+    template <std::integral To>
+    requires std::integral<T>
+    operator To() const {
+        return std::in_range<To>(value) ? static_cast<To>(value)
+               : value < 0              ? std::numeric_limits<To>::min()
+                                        : std::numeric_limits<To>::max();
     }
 };
-struct Seconds {
-    static constexpr auto name = pybind11::detail::const_name("float");
-    static constexpr const char* how = "seconds";
-    double value;
-};
-struct Word {
-    static constexpr auto name = pybind11::detail::const_name("str");
-    static constexpr const char* how = "word";
-    std::string value;
-};
-/// The bytes of a name of a file.
-struct Path {
-    static constexpr auto name = pybind11::detail::const_name("Path");
-    static constexpr const char* how = "path";
-    std::string value;
-};
+using Number = Given<std::string, "number", "Ratio">;  ///< `9/2`, or of a pair `1:100`
+using Numbers = Given<std::vector<std::string>, "numbers", "Iterable[Ratio]">;
+using Whole = Given<long, "whole", "int">;
+using Seconds = Given<double, "seconds", "float">;
+using Word = Given<std::string, "word", "str">;
+using Path = Given<std::string, "path", "Path">;  ///< the bytes of a name of a file
 /// The bytes of a certificate, given as they are or by the name of their file.
-struct Content {
-    static constexpr auto name = pybind11::detail::const_name("Union[bytes, Path]");
-    static constexpr const char* how = "content";
-    std::string value;
-};
+using Content = Given<std::string, "content", "Union[bytes, Path]">;
 using Budget = std::optional<Seconds>;
 
+/// The function of _given.py of that name, of this.
 template <class T>
-concept Given = std::same_as<decltype(T::how), const char* const>;
+T taken(const char* how, pybind11::handle given) {
+    return pybind11::module_::import("dumbbell._given").attr(how)(given).template cast<T>();
+}
 
-/// What text such as `9/2` or a decimal says, as Fraction, Decimal or int.
-[[nodiscard]] pybind11::object fraction(const std::string& text);
-[[nodiscard]] pybind11::object decimal(const std::string& text);
-[[nodiscard]] pybind11::object whole(const std::string& digits);
+/// What text such as `9/2` or a decimal says, as Fraction or Decimal.
+inline pybind11::object fraction(const std::string& text) {
+    return pybind11::module_::import("fractions").attr("Fraction")(text);
+}
+inline pybind11::object decimal(const std::string& text) {
+    return pybind11::module_::import("decimal").attr("Decimal")(text);
+}
 
 }  // namespace dumbbell::python
 
 namespace pybind11::detail {
 
-template <dumbbell::python::Given T>
-class type_caster<T> {
-    PYBIND11_TYPE_CASTER(T, T::name);
+template <class T, dumbbell::python::Text how, dumbbell::python::Text name_of_it>
+class type_caster<dumbbell::python::Given<T, how, name_of_it>> {
+    using Taken = dumbbell::python::Given<T, how, name_of_it>;
+    PYBIND11_TYPE_CASTER(Taken, const_name(name_of_it.letters));
     bool load(handle given, bool) {
-        value.value =
-            module_::import("dumbbell._given").attr(T::how)(given).template cast<decltype(T::value)>();
+        value.value = dumbbell::python::taken<T>(how.letters, given);
         return true;
     }
 };

@@ -42,6 +42,7 @@ struct Proof {
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends
     std::string certificate;    ///< the text of the file that proves them (format.md)
     std::string sha256;         ///< its last line's: of the text before it
+    std::string demand;         ///< all that it says, as Claim::demand of dumbbell/verify.hpp
 
     /// Whether no piece is open.
     [[nodiscard]] bool complete() const {

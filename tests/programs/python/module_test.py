@@ -146,7 +146,7 @@ class WhatComesOut(unittest.TestCase):
         none = dumbbell.certify(10, budget=0)
         self.assertIsNone(none.upper)
         self.assertIn("open", repr(none))
-        self.assertTrue(none.verify())
+        self.assertEqual((none.demand, none.verify().verdict), ("--ratio 10", "open"))
         self.assertIsNone(none._repr_svg_())
         self.assertRaises(TimeoutError, dumbbell.critical, 1000, budget=0)
 
@@ -166,6 +166,18 @@ class WhatComesOut(unittest.TestCase):
         law = ROOT / "certificates/law.dbc.gz"
         self.assertTrue(dumbbell.verify(law) and not dumbbell.verify(law, most=10**6) and not dumbbell.verify(law, kind="collisions"))
         self.assertRaises(ValueError, dumbbell.verify, TEN, ratio=10, exactly=4, most=4)
+
+    def test_whatever_the_program_can_be_asked_has_its_name(self):
+        coin = ROOT / "certificates/coin.dbc"
+        for claim in ({"coin": True, "exactly": 4}, {"rho": 1, "inertia": 4, "most": 4}, {"scene": "body", "coin": False, "least": None}):
+            self.assertEqual(dumbbell.verify(coin, **claim).verdict, "verified")
+        self.assertEqual(dumbbell.verify(coin, rho=(Fraction(1, 2), 1), inertia=4, most=4).verdict, "rejected")
+        for wrong in ("gapp", "gap", "max"):
+            with self.assertRaisesRegex(dumbbell.InputError, wrong):
+                dumbbell.verify(TEN, most=4, **{wrong: "1e-6 --exactly=4"})
+        with self.assertRaisesRegex(dumbbell.InputError, "`file=4` states no claim"):
+            dumbbell.verify(TEN, file=4)
+        self.assertRaises(dumbbell.InputError, dumbbell.verify, TEN, kind="law", gaps=3)
 
     def test_a_file_is_a_certificate_again_if_it_is_verified(self):
         stairs = ROOT / "certificates/stairs-1-100.dbc"

@@ -103,6 +103,30 @@ TEST_CASE("Claims of other kinds have their names") {
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "lore"}), std::invalid_argument);
 }
 
+TEST_CASE("Whatever the program can be asked is claimed in its words, and nothing else") {
+    const std::string coin = DUMBBELL_CERTIFICATES "/coin.dbc", law = DUMBBELL_CERTIFICATES "/law.dbc.gz";
+    CHECK(verify(coin, {.demand = "--coin --exactly 4"}));
+    CHECK(verify(coin, {.least = 3, .demand = "--rho=1 --inertia 4"}));
+    CHECK(!verify(coin, {.ratio = "4", .most = 4}));
+    CHECK(verify(law, {.demand = "--claim law"}));
+    for (const Claim& claim :
+         {Claim{.most = 4, .demand = "--max 4"}, Claim{.kind = "collisions", .demand = "--claim law"},
+          Claim{.demand = "--gap 1e-6 --jobs 2"}, Claim{.demand = "ten"}, Claim{.demand = "--gap"},
+          Claim{.ratio = "10", .demand = "--help"}, Claim{.demand = "--claim law --gap 1e-6"}}) {
+        CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
+    }
+}
+
+TEST_CASE("All that a proof says can be demanded of it, and no weaker file has it") {
+    const Proof stairs = certify(MassRatio("4:5")), wide = certify(MassRatio("4:5"), {.gap = "1e-3"});
+    CHECK(stairs.demand == "--ratio 4:5 --max 4 --min 3 --gap 9.35e-7 --gaps 1");
+    CHECK(read_proof(stairs.certificate).demand == stairs.demand);
+    CHECK(verify_text(stairs.certificate, {.demand = stairs.demand}));
+    CHECK(verify_text(wide.certificate, {.demand = wide.demand}));
+    CHECK(!verify_text(wide.certificate, {.demand = stairs.demand}));
+    CHECK_THAT(certify(MassRatio("10"), {.section = Section::full}).demand, EndsWith("--heavy-at-most 1"));
+}
+
 TEST_CASE("Who has enough verifies nothing") {
     const Verification result = verify(ten, {.ratio = "10"}, 1, "30s", [] { return true; });
     CHECK(result.verdict == Verdict::limit);
