@@ -1,14 +1,14 @@
 #include "dumbbell/certify.hpp"
 
-#include <algorithm>
-
 #include "api/caller_stops.hpp"
-#include "api/exact_ratio.hpp"
 #include "api/jobs.hpp"
+#include "api/single_ratio.hpp"
 #include "api/translate.hpp"
+#include "collisions/body/given.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/demand.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/scene.hpp"
 #include "collisions/writer.hpp"
 #include "file/atomic_file.hpp"
 #include "number/parallel.hpp"
@@ -18,28 +18,53 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-collisions::Section section_of(Section section) {
-    return section == Section::turning ? collisions::Section::turning
-           : section == Section::full  ? collisions::Section::full
-                                       : collisions::Section::plain;
+static_assert(static_cast<int>(Section::plain) == static_cast<int>(collisions::Section::plain) &&
+              static_cast<int>(Scene::body) == static_cast<int>(collisions::Scene::body));
+
+/// Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes back.
+const Rational& short_enough(const Rational& number) {
+    if (to_fraction(number).size() > 2040) {
+        throw dumbbell::InputError(
+            "a number of the claim has too many digits for a certificate: its fraction is longer than 2040 "
+            "characters");
+    }
+    return number;
 }
 
-collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
+collisions::CertifyRequest request_of(const Rational& lo, const Rational& hi, const CertifyOptions& options) {
     collisions::CertifyRequest request;
-    request.q_lo = exact_ratio(ratio.lo());
-    request.q_hi = exact_ratio(ratio.hi());
-    // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
-    // back.
-    if (std::max(ratio.lo().size(), ratio.hi().size()) > 2040) {
-        throw dumbbell::InputError(
-            "the mass ratio has too many digits for a certificate: its fraction is longer "
-            "than 2040 characters");
-    }
+    request.q_lo = short_enough(lo);
+    request.q_hi = short_enough(hi);
     request.gap = parse_gap(options.gap);
-    request.section = section_of(options.section);
+    request.scene = static_cast<collisions::Scene>(options.scene);
+    request.section = static_cast<collisions::Section>(options.section);
     request.jobs = checked_jobs(options.jobs);
     request.budget = options.budget;
     request.describes = false;
+    return request;
+}
+
+collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
+    const auto request = request_of(exact_ratio(ratio.lo()), exact_ratio(ratio.hi()), options);
+    if (options.scene == Scene::body) {
+        throw dumbbell::InputError("a body has rho and inertia, not a mass ratio");
+    }
+    if (row_of(request.scene).charts(request.section).empty()) {
+        throw dumbbell::InputError("section full and plain are for the scene dumbbell");
+    }
+    return request;
+}
+
+collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
+    const collisions::GivenBody given = collisions::body_of(body.rho, body.inertia);
+    collisions::CertifyRequest request = request_of(given.lo, given.hi, options);
+    if (options.section == Section::full ||
+        (options.scene != Scene::dumbbell && options.scene != Scene::body)) {
+        throw dumbbell::InputError("bodies are of the scene body, without a section");
+    }
+    request.scene = collisions::Scene::body;
+    request.section = collisions::Section::plain;
+    request.heights = {short_enough(given.heights.lo), short_enough(given.heights.hi)};
     return request;
 }
 
@@ -58,14 +83,18 @@ Proof proof_of(const collisions::Certificate& certificate, SealedText text) {
     proof.certificate = std::move(text.text);
     proof.sha256 = std::move(text.sha256);
     proof.demand = whole_demand(certificate, pieces);
+    proof.scene = static_cast<Scene>(certificate.scene);
+    if (certificate.heights) {
+        proof.rho_lo = to_fraction(certificate.heights->lo);
+        proof.rho_hi = to_fraction(certificate.heights->hi);
+    }
     return proof;
 }
 
-Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
-    const CallerStops stops(options.stopped);
-    const collisions::CertifyRequest request = request_of(ratio, options);
-    collisions::Certificate certificate;
-    certificate.section = request.section;
+Proof proof_of(const collisions::CertifyRequest& request, const Stopped& stopped) {
+    const CallerStops stops(stopped);
+    collisions::Certificate certificate{
+        .pieces = {}, .scene = request.scene, .section = request.section, .heights = request.heights};
     for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
         certificate.pieces.push_back(std::move(proved.piece));
     }
@@ -75,7 +104,19 @@ Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
 }  // namespace
 
 Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
-    return guarded([&] { return proof_of(ratio, options); });
+    return guarded([&] { return proof_of(request_of(ratio, options), options.stopped); });
+}
+
+Proof certify(const Body& body, const CertifyOptions& options) {
+    return guarded([&] { return proof_of(request_of(body, options), options.stopped); });
+}
+
+Body body_of_rod(const MassRatio& ends, std::string_view mass) {
+    return guarded([&]() -> Body {
+        const auto body = collisions::body_of_rod(single_ratio(ends, "a rod with mass"),
+                                                  parse_number("mass", std::string(mass)));
+        return {to_fraction(body.heights.lo), to_fraction(body.lo)};
+    });
 }
 
 std::vector<Proof> certify_many(std::span<const MassRatio> ratios, const CertifyOptions& options) {
@@ -84,7 +125,9 @@ std::vector<Proof> certify_many(std::span<const MassRatio> ratios, const Certify
         CertifyOptions each = options;
         each.jobs = 1;
         run_with_threads(checked_jobs(options.jobs), [&] {
-            in_parallel(ratios.size(), [&](std::size_t i) { proofs[i] = proof_of(ratios[i], each); });
+            in_parallel(ratios.size(), [&](std::size_t i) {
+                proofs[i] = proof_of(request_of(ratios[i], each), options.stopped);
+            });
         });
         return proofs;
     });
@@ -94,8 +137,8 @@ Proof read_proof(std::string_view text) {
     return guarded([&] {
         const NamedFile source("the certificate", text);
         const collisions::Certificate certificate = collisions::read_certificate(source);
-        if (certificate.scene != collisions::Scene::dumbbell || certificate.sha256.empty()) {
-            throw dumbbell::InputError("the certificate is damaged, or not about N(q)");
+        if (certificate.sha256.empty()) {
+            throw dumbbell::InputError("the certificate is damaged");
         }
         std::string unpacked;
         UnpackedText lines(source);

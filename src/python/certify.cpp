@@ -14,7 +14,7 @@ using api::Piece;
 using api::Proof;
 
 constexpr const char* certificate_text =
-    R"(A proof of N(q), as the text that the verifier checks.
+    R"(A proof of the greatest number of collisions, as the text that the verifier checks.
 
 >>> Certificate(certify(10).bytes)
 <Certificate of 10/1: N = 4>
@@ -23,7 +23,7 @@ What is read from bytes, or from a file by its name, is verified first. InputErr
 )";
 
 constexpr const char* certify_text =
-    R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range.
+    R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range; or that of a body.
 
 >>> certify(10)
 <Certificate of 10/1: N = 4>
@@ -32,10 +32,14 @@ constexpr const char* certify_text =
 (2, 10)
 >>> certify(4.6) == certify('4.6')  # a float is its exact value, a decimal in text is as written
 False
+>>> certify(coin=True), certify(10, rod_mass='1/100').upper
+(<Certificate of body 4/1, rho 1/1: N = 4>, 5)
 
 `q` is exact: an int, a Fraction, a Decimal, a float (its exact value), text such as '9/2', '4.6' or '1:100', or a pair
-(lo, hi). Below 1 the masses are swapped. `section`: 'turning', 'full' or 'plain'. `gap`: the relative width of the gaps
-at the steps of a range. `budget`: seconds; what is not decided by then is open.
+(lo, hi). Below 1 the masses are swapped. `scene`: 'dumbbell', or a model wedge, 'hybrid' or 'wedge'. `section`:
+'turning', 'full' or 'plain'. `gap`: the relative width of the gaps at the steps of a range. `budget`: seconds; what is
+not decided by then is open. A rigid body, in a plane: `rho` and `inertia`, each a number or a pair; or `coin`; or `q`
+with `rod_mass`, the dumbbell whose rod has so many times the mass of its ends.
 )";
 
 constexpr const char* certify_many_text =
@@ -58,10 +62,7 @@ py::tuple pieces_of(const Proof& proof) {
     return pieces;
 }
 
-std::string ratio_text(const Proof& proof) {
-    const std::string &lo = proof.pieces.front().lo, &hi = proof.pieces.back().hi;
-    return lo == hi ? lo : lo + ":" + hi;
-}
+std::string range_text(const std::string& lo, const std::string& hi) { return lo == hi ? lo : lo + ":" + hi; }
 
 std::string described(const Proof& proof) {
     const long least = proof.least();
@@ -69,7 +70,11 @@ std::string described(const Proof& proof) {
     const std::string bounds = !most            ? "N >= " + std::to_string(least) + ", open"
                                : *most == least ? "N = " + std::to_string(least)
                                                 : std::to_string(least) + " <= N <= " + std::to_string(*most);
-    return "<Certificate of " + ratio_text(proof) + ": " + bounds + ">";
+    const std::string scene =
+        proof.scene == api::Scene::dumbbell ? "" : py::cast(proof.scene).cast<std::string>() + " ";
+    const std::string rho = proof.rho_lo.empty() ? "" : ", rho " + range_text(proof.rho_lo, proof.rho_hi);
+    return "<Certificate of " + scene + range_text(proof.pieces.front().lo, proof.pieces.back().hi) + rho +
+           ": " + bounds + ">";
 }
 
 /// Of a file that says something false there is none.
@@ -82,29 +87,36 @@ Proof read(const Content& file, const Whole& jobs) {
     return proof;
 }
 
-api::CertifyOptions certify_options(const Word& section, const Number& gap, const Whole& jobs,
-                                    const Budget& budget) {
-    auto options = within(api::CertifyOptions{.gap = gap.value, .jobs = jobs}, budget);
-    if (section.value == "full" || section.value == "plain") {
-        options.section = section.value == "full" ? api::Section::full : api::Section::plain;
-    } else if (section.value != "turning") {
-        throw api::InputError("section is 'turning', 'full' or 'plain'");
+/// What is meant, if it is a body.
+std::optional<api::Body> body_of(const std::optional<Number>& q, const std::optional<Number>& rho,
+                                 const std::optional<Number>& inertia, bool coin,
+                                 const std::optional<Number>& rod_mass) {
+    if (coin + rod_mass.has_value() + (rho || inertia) > 1 || rho.has_value() != inertia.has_value() ||
+        q.has_value() == (coin || rho)) {
+        throw api::InputError("give q, or q and rod_mass, or rho and inertia, or coin=True");
     }
-    return options;
+    return coin       ? std::optional(api::Body{"1", "4"})
+           : rod_mass ? std::optional(api::body_of_rod(MassRatio(q->value), rod_mass->value))
+           : rho      ? std::optional(api::Body{rho->value, inertia->value})
+                      : std::nullopt;
 }
 
-Proof certify(const Number& q, const Word& section, const Number& gap, const Whole& jobs,
-              const Budget& budget) {
-    const MassRatio ratio(q.value);
-    api::CertifyOptions options = certify_options(section, gap, jobs, budget);
+Proof certify(const std::optional<Number>& q, api::Section section, const Number& gap, const Whole& jobs,
+              const Budget& budget, api::Scene scene, const std::optional<Number>& rho,
+              const std::optional<Number>& inertia, const Truth& coin,
+              const std::optional<Number>& rod_mass) {
+    const auto body = body_of(q, rho, inertia, coin.value, rod_mass);
+    const auto ratio = body ? std::nullopt : std::optional<MassRatio>(q->value);
+    api::CertifyOptions options =
+        within({.gap = gap.value, .jobs = jobs, .section = section, .scene = scene}, budget);
     return running([&](const api::Stopped& stopped) {
         options.stopped = stopped;
-        return api::certify(ratio, options);
+        return body ? api::certify(*body, options) : api::certify(*ratio, options);
     });
 }
 
-std::vector<Proof> certify_many(const Numbers& ratios, const Word& section, const Number& gap,
-                                const Whole& jobs, const Budget& budget) {
+std::vector<Proof> certify_many(const Numbers& ratios, api::Section section, const Number& gap,
+                                const Whole& jobs, const Budget& budget, api::Scene scene) {
     std::vector<MassRatio> all;
     for (const std::string& q : ratios.value) {
         all.emplace_back(q);
@@ -112,17 +124,20 @@ std::vector<Proof> certify_many(const Numbers& ratios, const Word& section, cons
             throw py::error_already_set();
         }
     }
-    api::CertifyOptions options = certify_options(section, gap, jobs, budget);
+    api::CertifyOptions options =
+        within({.gap = gap.value, .jobs = jobs, .section = section, .scene = scene}, budget);
     return running([&](const api::Stopped& stopped) {
         options.stopped = stopped;
         return api::certify_many(all, options);
     });
 }
 
-template <class Function>
-void add(py::module_& module, const char* name, Function function, const char* text, const char* given) {
-    module.def(name, function, text, py::arg(given), py::kw_only(), py::arg("section") = "turning",
-               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none());
+template <class Function, class... More>
+void add(py::module_& module, const char* name, Function function, const char* text, const auto& given,
+         const More&... more) {
+    module.def(name, function, text, given, py::kw_only(), py::arg("section") = api::Section::turning,
+               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none(),
+               py::arg("scene") = api::Scene::dumbbell, more...);
 }
 
 }  // namespace
@@ -134,7 +149,14 @@ void add_certify(py::module_& module) {
                         [](const py::bytes& text) { return api::read_proof(text.cast<std::string>()); }))
         .def_property_readonly(
             "ratio", [](const Proof& p) { return ratio_of(p.pieces.front().lo, p.pieces.back().hi); },
-            "the pair (lo, hi) of Fractions")
+            "the pair (lo, hi) of Fractions; of bodies that of their Q")
+        .def_readonly("scene", &Proof::scene, "'dumbbell', 'hybrid', 'wedge' or 'body'")
+        .def_property_readonly(
+            "rho",
+            [](const Proof& p) {
+                return p.rho_lo.empty() ? py::object(py::none()) : ratio_of(p.rho_lo, p.rho_hi);
+            },
+            "of bodies the pair (lo, hi) of Fractions; else None")
         .def_property_readonly("lower", &Proof::least, "N(q) is at least this, for every q")
         .def_property_readonly("upper", &Proof::most, "and at most this; None: a piece is open")
         .def_property_readonly("pieces", pieces_of, "(lo, hi, lower, upper) of each, in order")
@@ -148,8 +170,10 @@ void add_certify(py::module_& module) {
             py::is_operator())
         .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); })
         .def("__repr__", described);
-    add(module, "certify", certify, certify_text, "q");
-    add(module, "certify_many", certify_many, certify_many_text, "ratios");
+    const auto none = [](const char* name) { return py::arg(name) = py::none(); };
+    add(module, "certify", certify, certify_text, none("q"), none("rho"), none("inertia"),
+        py::arg("coin") = false, none("rod_mass"));
+    add(module, "certify_many", certify_many, certify_many_text, py::arg("ratios"));
 }
 
 }  // namespace dumbbell::python

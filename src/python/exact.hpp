@@ -3,9 +3,11 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
-#include <dumbbell/interval.hpp>
-#include <dumbbell/mass_ratio.hpp>
+#include <dumbbell/certify.hpp>
+#include <dumbbell/error.hpp>
+#include <dumbbell/verify.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -40,17 +42,31 @@ using Number = Given<std::string, "number", "Ratio">;  ///< `9/2`, or of a pair 
 using Numbers = Given<std::vector<std::string>, "numbers", "Iterable[Ratio]">;
 using Whole = Given<long, "whole", "int">;
 using Seconds = Given<double, "seconds", "float">;
-using Word = Given<std::string, "word", "str">;
+using Truth = Given<bool, "truth", "bool">;
 using Path = Given<std::string, "path", "Path">;  ///< the bytes of a name of a file
 /// The bytes of a certificate, given as they are or by the name of their file.
 using Content = Given<std::string, "content", "Union[bytes, Path]">;
 using Budget = std::optional<Seconds>;
 
-/// The function of _given.py of that name, of this.
-template <class T>
-T taken(const char* how, pybind11::handle given) {
-    return pybind11::module_::import("dumbbell._given").attr(how)(given).template cast<T>();
+/// What the function of _given.py of that name makes of it.
+template <class T, class... Given>
+T taken(const char* how, const Given&... given) {
+    return pybind11::module_::import("dumbbell._given").attr(how)(given...).template cast<T>();
 }
+
+/// The values of an enumeration that have a word in Python, in their order.
+template <class Value>
+inline constexpr std::array<const char*, 0> words{};
+template <>
+inline constexpr std::array words<api::Verdict>{"verified",   "rejected", "unsupported",
+                                                "unreadable", "limit",    "open"};
+static_assert(words<api::Verdict>.size() == std::size_t(api::Verdict::open) + 1);
+template <>
+inline constexpr std::array words<api::Scene>{"dumbbell", "hybrid", "wedge", "body"};
+static_assert(words<api::Scene>.size() == std::size_t(api::Scene::body) + 1);
+template <>
+inline constexpr std::array words<api::Section>{"turning", "full", "plain"};
+static_assert(words<api::Section>.size() == std::size_t(api::Section::plain) + 1);
 
 /// What text such as `9/2` or a decimal says, as Fraction or Decimal.
 inline pybind11::object fraction(const std::string& text) {
@@ -71,6 +87,19 @@ class type_caster<dumbbell::python::Given<T, how, name_of_it>> {
     bool load(handle given, bool) {
         value.value = dumbbell::python::taken<T>(how.letters, given);
         return true;
+    }
+};
+
+template <class Value>
+requires(!dumbbell::python::words<Value>.empty()) class type_caster<Value> {
+    PYBIND11_TYPE_CASTER(Value, const_name("str"));
+    bool load(handle given, bool) {
+        value =
+            static_cast<Value>(dumbbell::python::taken<int>("place", given, dumbbell::python::words<Value>));
+        return true;
+    }
+    static handle cast(Value value, return_value_policy, handle) {
+        return str(dumbbell::python::words<Value>.at(static_cast<std::size_t>(value))).release();
     }
 };
 

@@ -43,7 +43,7 @@ pybind11::class_<Proof> certificate_class(const pybind11::module_& module, const
         .def("_repr_svg_", picture_or_none<Proof>);
 }
 
-template <class Options>
+template <class Options = api::CertifyOptions>
 Options within(Options options, const Budget& budget) {
     if (budget) {
         options.budget = std::chrono::duration<double>(budget->value);

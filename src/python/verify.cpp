@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <array>
 #include <dumbbell/verify.hpp>
 
 #include "python/exact.hpp"
@@ -8,32 +6,6 @@
 #include "python/running.hpp"
 
 namespace py = pybind11;
-
-namespace {
-
-using dumbbell::api::Verdict;
-
-constexpr std::array<const char*, 6> names{"verified",   "rejected", "unsupported",
-                                           "unreadable", "limit",    "open"};
-static_assert(static_cast<std::size_t>(Verdict::open) == names.size() - 1);
-
-const char* name_of(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }
-
-}  // namespace
-
-/// A verdict is its name.
-template <>
-class py::detail::type_caster<Verdict> {
-    PYBIND11_TYPE_CASTER(Verdict, const_name("str"));
-    bool load(handle given, bool) {
-        const auto* const found = std::ranges::find(names, given.cast<std::string>());
-        value = static_cast<Verdict>(found - names.begin());
-        return found != names.end();
-    }
-    static handle cast(Verdict verdict, return_value_policy, handle) {
-        return str(name_of(verdict)).release();
-    }
-};
 
 namespace dumbbell::python {
 namespace {
@@ -85,7 +57,7 @@ void add_verify(py::module_& module) {
         .def_readonly("sha256", &Verification::sha256, "of a verified certificate")
         .def("__bool__", [](const Verification& v) { return static_cast<bool>(v); })
         .def("__repr__", [](const Verification& v) {
-            return "<Verification " + std::string(name_of(v.verdict)) + ": " + v.text + ">";
+            return "<Verification " + py::cast(v.verdict).cast<std::string>() + ": " + v.text + ">";
         });
     module.def("verify", verify, verify_text, py::arg("certificate"), py::kw_only(), py::arg("jobs") = 1,
                py::arg("budget") = 30);

@@ -42,7 +42,7 @@ KINDS = [None, True, numpy.array(True), object(), b"10", bytearray(b"10"), [10],
 
 def calls():
     """Each argument of each function and method, but the names of files."""
-    ten, options = dumbbell.certify(10), {"section": "turning", "gap": "1e-6", "jobs": 1, "budget": 1}
+    ten, options = dumbbell.certify(10), {"section": "turning", "gap": "1e-6", "jobs": 1, "budget": 1, "scene": "dumbbell"}
     for name, given in {"certify": {"q": 10, **options}, "critical": {"n": 4, "digits": 5, "budget": 1}, "law": {"q": 10}, "mean_collisions": {"q": 10},
                         "certify_many": {"ratios": [10], **options}, "trace": {"q": 10, **START, "digits": 0},
                         "certify_starts": {"q": 10, **START, "boxes": 5, "digits": 0, "jobs": 1, "budget": 1},
@@ -51,6 +51,8 @@ def calls():
                         "Certificate": {"file": ten.bytes, "jobs": 1}}.items():
         for argument in given:
             yield f"{name}: {argument}", lambda what: getattr(dumbbell, name)(**{**given, argument: what})
+    for name, body in (("rho", {"inertia": 4}), ("inertia", {"rho": 1}), ("rod_mass", {"q": 10}), ("coin", {})):
+        yield f"certify: {name}", lambda what: dumbbell.certify(**body, budget=0, **{name: what})
     yield "verify: exactly", lambda what: dumbbell.verify(TEN, exactly=what)
     yield "one of many", lambda what: dumbbell.certify_many([10, what])
     yield "an end of a range", lambda what: dumbbell.certify((1, what))
@@ -76,7 +78,7 @@ class WhatGoesIn(unittest.TestCase):
         self.assertEqual(dumbbell.certify(math.ulp(1.0)).ratio[0], 2**52)
 
     def test_what_is_no_number_is_refused(self):
-        for what in (None, True, [10], 1j, b"10", (1, 2, 3)):
+        for what in (True, [10], 1j, b"10", (1, 2, 3)):
             self.assertRaises(TypeError, dumbbell.certify, what)
         for what in ("ten", "", 0, -1, "2:1", (1, float("nan"))):
             self.assertRaises(ValueError, dumbbell.certify, what)
@@ -141,6 +143,18 @@ class WhatComesOut(unittest.TestCase):
         self.assertEqual(stairs._repr_svg_(), stairs.svg())
         self.assertEqual(len({stairs, dumbbell.certify((1, 100))}), 1)
         self.assertTrue(dumbbell.certify(10, section="full").verify())
+
+    def test_bodies_and_wedges(self):
+        coin, wedge = dumbbell.certify(coin=True), dumbbell.certify(100, scene="wedge")
+        self.assertEqual((coin.bytes, coin.demand), ((ROOT / "certificates/coin.dbc").read_bytes(), "--coin --exactly 4"))
+        self.assertEqual((coin.scene, coin.ratio, coin.rho, wedge.scene, wedge.rho), ("body", (4, 4), (1, 1), "wedge", None))
+        rod = ROOT / "certificates/rod-10.dbc.gz"
+        self.assertEqual(dumbbell.certify(10, rod_mass=Fraction(1, 100)), dumbbell.Certificate(rod))
+        self.assertTrue(coin.verify() and wedge.verify() and dumbbell.verify(rod, ratio=10, rod_mass="1/100", exactly=5))
+        self.assertIsNone(coin._repr_svg_())
+        for wrong in ({}, {"q": 10, "coin": True}, {"rho": 1}, {"rod_mass": 1}, {"q": 10, "scene": "body"}, {"rho": 1, "inertia": "1/2"},
+                      {"q": (1, 2), "rod_mass": 1}, {"coin": True, "section": "full"}, {"coin": True, "scene": "wedge"}):
+            self.assertRaises(dumbbell.InputError, dumbbell.certify, **wrong)
 
     def test_what_is_open_says_so(self):
         none = dumbbell.certify(10, budget=0)

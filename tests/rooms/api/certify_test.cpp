@@ -81,6 +81,25 @@ TEST_CASE("All collision states may be covered, with the same maximum") {
                Contains("lemmas minimal\n"));
 }
 
+TEST_CASE("A body has two numbers, a wedge is a scene") {
+    const Proof coin = certify(Body{"1", "4"}), wedge = certify(MassRatio("100"), {.scene = Scene::wedge});
+    CHECK(coin.certificate == contents(DUMBBELL_CERTIFICATES "/coin.dbc"));
+    CHECK((coin.scene == Scene::body && coin.rho_lo == "1/1" && coin.demand == "--coin --exactly 4"));
+    CHECK(wedge.most() == 16);
+    CHECK(read_proof(wedge.certificate).demand == "--scene wedge --ratio 100 --exactly 16");
+    CHECK(certify(body_of_rod(MassRatio("10"), "1/100")).demand ==
+          "--rho 211/2011 --inertia 12132363/1248521 --exactly 5");
+    CHECK(certify(Body{"1/2:1", "4"}, {.budget = std::chrono::seconds(0)}).rho_hi == "1/1");
+    for (const Body& body : {Body{"2", "3"}, Body{"1", "1/2"}, Body{"", "4"}, Body{"1", "5:4"}}) {
+        CHECK_THROWS_AS(certify(body), InputError);
+    }
+    CHECK_THROWS_AS(certify(Body{"1", "4"}, {.section = Section::full}), InputError);
+    CHECK_THROWS_AS(certify(Body{"1", "1." + std::string(2100, '7')}), InputError);
+    CHECK_THROWS_AS(certify(MassRatio("10"), {.section = Section::full, .scene = Scene::wedge}), InputError);
+    CHECK_THROWS_AS(certify(MassRatio("10"), {.scene = Scene::body}), InputError);
+    CHECK_THROWS_AS(body_of_rod(MassRatio("1:2"), "1"), InputError);
+}
+
 TEST_CASE("Who has enough gets what is decided, and nobody else is stopped") {
     int asked = 0;
     const auto stopped = [&] { return ++asked > 0; };
