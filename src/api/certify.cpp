@@ -1,8 +1,8 @@
 #include "dumbbell/certify.hpp"
 
 #include "api/caller_stops.hpp"
-#include "api/jobs.hpp"
-#include "api/single_ratio.hpp"
+#include "api/checked.hpp"
+#include "api/exact_ratio.hpp"
 #include "api/translate.hpp"
 #include "collisions/body/given.hpp"
 #include "collisions/certify.hpp"
@@ -21,51 +21,44 @@ namespace {
 static_assert(static_cast<int>(Section::plain) == static_cast<int>(collisions::Section::plain) &&
               static_cast<int>(Scene::body) == static_cast<int>(collisions::Scene::body));
 
-/// Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes back.
-const Rational& short_enough(const Rational& number) {
-    if (to_fraction(number).size() > 2040) {
-        throw dumbbell::InputError(
-            "a number of the claim has too many digits for a certificate: its fraction is longer than 2040 "
-            "characters");
-    }
-    return number;
-}
-
-collisions::CertifyRequest request_of(const Rational& lo, const Rational& hi, const CertifyOptions& options) {
-    collisions::CertifyRequest request;
-    request.q_lo = short_enough(lo);
-    request.q_hi = short_enough(hi);
+collisions::CertifyRequest with(const CertifyOptions& options, collisions::CertifyRequest request) {
     request.gap = parse_gap(options.gap);
-    request.scene = static_cast<collisions::Scene>(options.scene);
-    request.section = static_cast<collisions::Section>(options.section);
     request.jobs = checked_jobs(options.jobs);
     request.budget = options.budget;
     request.describes = false;
+    const auto heights = request.heights.value_or(collisions::Heights{1, 1});
+    for (const Rational& number : {request.q_lo, request.q_hi, heights.lo, heights.hi}) {
+        // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
+        // back.
+        if (to_fraction(number).size() > 2040) {
+            throw dumbbell::InputError(
+                "a number of the claim has too many digits for a certificate: its fraction is longer than "
+                "2040 characters");
+        }
+    }
     return request;
 }
 
 collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
-    const auto request = request_of(exact_ratio(ratio.lo()), exact_ratio(ratio.hi()), options);
-    if (options.scene == Scene::body) {
-        throw dumbbell::InputError("a body has rho and inertia, not a mass ratio");
+    collisions::CertifyRequest request;
+    request.q_lo = exact_ratio(ratio.lo());
+    request.q_hi = exact_ratio(ratio.hi());
+    request.scene = static_cast<collisions::Scene>(options.scene);
+    request.section = static_cast<collisions::Section>(options.section);
+    if (options.scene == Scene::body || row_of(request.scene).charts(request.section).empty()) {
+        throw dumbbell::InputError(
+            "a mass ratio is of the dumbbell, or of a wedge in the section turning; a body has rho and "
+            "inertia");
     }
-    if (row_of(request.scene).charts(request.section).empty()) {
-        throw dumbbell::InputError("section full and plain are for the scene dumbbell");
-    }
-    return request;
+    return with(options, request);
 }
 
 collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
-    const collisions::GivenBody given = collisions::body_of(body.rho, body.inertia);
-    collisions::CertifyRequest request = request_of(given.lo, given.hi, options);
     if (options.section == Section::full ||
         (options.scene != Scene::dumbbell && options.scene != Scene::body)) {
         throw dumbbell::InputError("bodies are of the scene body, without a section");
     }
-    request.scene = collisions::Scene::body;
-    request.section = collisions::Section::plain;
-    request.heights = {short_enough(given.heights.lo), short_enough(given.heights.hi)};
-    return request;
+    return with(options, collisions::body_of(body.rho, body.inertia));
 }
 
 Piece given(const collisions::Piece& piece) {
@@ -115,7 +108,7 @@ Body body_of_rod(const MassRatio& ends, std::string_view mass) {
     return guarded([&]() -> Body {
         const auto body = collisions::body_of_rod(single_ratio(ends, "a rod with mass"),
                                                   parse_number("mass", std::string(mass)));
-        return {to_fraction(body.heights.lo), to_fraction(body.lo)};
+        return {to_fraction(body.heights->lo), to_fraction(body.q_lo)};
     });
 }
 

@@ -1,5 +1,7 @@
 #include "dumbbell/verify.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -88,22 +90,13 @@ dumbbell_verify::Job job_of(const Claim& claim, unsigned jobs, const std::string
     throw std::invalid_argument(without_dashes(error.what()));
 }
 
-Verdict given(dumbbell_verify::Verdict verdict) {
-    switch (verdict) {
-        case dumbbell_verify::Verdict::verified:
-            return Verdict::verified;
-        case dumbbell_verify::Verdict::open:
-            return Verdict::open;
-        case dumbbell_verify::Verdict::unreadable:
-            return Verdict::unreadable;
-        case dumbbell_verify::Verdict::unsupported:
-            return Verdict::unsupported;
-        case dumbbell_verify::Verdict::limit:
-            return Verdict::limit;
-        case dumbbell_verify::Verdict::rejected:
-            break;
-    }
-    return Verdict::rejected;
+using Found = dumbbell_verify::Verdict;
+
+Verdict given(Found verdict) {
+    constexpr std::array in_order{Found::verified,   Found::rejected, Found::unsupported,
+                                  Found::unreadable, Found::limit,    Found::open};
+    static_assert(in_order.size() == static_cast<std::size_t>(Found::rejected) + 1);
+    return static_cast<Verdict>(std::ranges::find(in_order, verdict) - in_order.begin());
 }
 
 template <class From>

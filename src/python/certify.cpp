@@ -17,7 +17,7 @@ constexpr const char* certificate_text =
     R"(A proof of the greatest number of collisions, as the text that the verifier checks.
 
 >>> Certificate(certify(10).bytes)
-<Certificate of 10/1: N = 4>
+<Certificate: --ratio 10 --exactly 4>
 
 What is read from bytes, or from a file by its name, is verified first. InputError: it is not verified.
 )";
@@ -26,14 +26,14 @@ constexpr const char* certify_text =
     R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range; or that of a body.
 
 >>> certify(10)
-<Certificate of 10/1: N = 4>
+<Certificate: --ratio 10 --exactly 4>
 >>> stairs = certify((1, 100))
 >>> stairs.lower, stairs.upper
 (2, 10)
 >>> certify(4.6) == certify('4.6')  # a float is its exact value, a decimal in text is as written
 False
 >>> certify(coin=True), certify(10, rod_mass='1/100').upper
-(<Certificate of body 4/1, rho 1/1: N = 4>, 5)
+(<Certificate: --coin --exactly 4>, 5)
 
 `q` is exact: an int, a Fraction, a Decimal, a float (its exact value), text such as '9/2', '4.6' or '1:100', or a pair
 (lo, hi). Below 1 the masses are swapped. `scene`: 'dumbbell', or a model wedge, 'hybrid' or 'wedge'. `section`:
@@ -62,21 +62,6 @@ py::tuple pieces_of(const Proof& proof) {
     return pieces;
 }
 
-std::string range_text(const std::string& lo, const std::string& hi) { return lo == hi ? lo : lo + ":" + hi; }
-
-std::string described(const Proof& proof) {
-    const long least = proof.least();
-    const auto most = proof.most();
-    const std::string bounds = !most            ? "N >= " + std::to_string(least) + ", open"
-                               : *most == least ? "N = " + std::to_string(least)
-                                                : std::to_string(least) + " <= N <= " + std::to_string(*most);
-    const std::string scene =
-        proof.scene == api::Scene::dumbbell ? "" : py::cast(proof.scene).cast<std::string>() + " ";
-    const std::string rho = proof.rho_lo.empty() ? "" : ", rho " + range_text(proof.rho_lo, proof.rho_hi);
-    return "<Certificate of " + scene + range_text(proof.pieces.front().lo, proof.pieces.back().hi) + rho +
-           ": " + bounds + ">";
-}
-
 /// Of a file that says something false there is none.
 Proof read(const Content& file, const Whole& jobs) {
     Proof proof = api::read_proof(file.value);
@@ -101,16 +86,17 @@ std::optional<api::Body> body_of(const std::optional<Number>& q, const std::opti
                       : std::nullopt;
 }
 
+api::CertifyOptions options_of(api::Section section, const Number& gap, const Whole& jobs, api::Scene scene) {
+    return {.gap = gap.value, .jobs = jobs, .section = section, .scene = scene};
+}
+
 Proof certify(const std::optional<Number>& q, api::Section section, const Number& gap, const Whole& jobs,
               const Budget& budget, api::Scene scene, const std::optional<Number>& rho,
               const std::optional<Number>& inertia, const Truth& coin,
               const std::optional<Number>& rod_mass) {
     const auto body = body_of(q, rho, inertia, coin.value, rod_mass);
     const auto ratio = body ? std::nullopt : std::optional<MassRatio>(q->value);
-    api::CertifyOptions options =
-        within({.gap = gap.value, .jobs = jobs, .section = section, .scene = scene}, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
+    return running(options_of(section, gap, jobs, scene), budget, [&](const auto& options) {
         return body ? api::certify(*body, options) : api::certify(*ratio, options);
     });
 }
@@ -124,12 +110,8 @@ std::vector<Proof> certify_many(const Numbers& ratios, api::Section section, con
             throw py::error_already_set();
         }
     }
-    api::CertifyOptions options =
-        within({.gap = gap.value, .jobs = jobs, .section = section, .scene = scene}, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::certify_many(all, options);
-    });
+    return running(options_of(section, gap, jobs, scene), budget,
+                   [&](const auto& options) { return api::certify_many(all, options); });
 }
 
 template <class Function, class... More>
@@ -168,8 +150,7 @@ void add_certify(py::module_& module) {
         .def(
             "__eq__", [](const Proof& a, const Proof& b) { return a.certificate == b.certificate; },
             py::is_operator())
-        .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); })
-        .def("__repr__", described);
+        .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); });
     const auto none = [](const char* name) { return py::arg(name) = py::none(); };
     add(module, "certify", certify, certify_text, none("q"), none("rho"), none("inertia"),
         py::arg("coin") = false, none("rod_mass"));

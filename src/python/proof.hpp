@@ -40,15 +40,20 @@ pybind11::class_<Proof> certificate_class(const pybind11::module_& module, const
         .def("verify", verify_itself<Proof>,
              "Asks the independent verifier for all that the certificate says.", pybind11::kw_only(),
              pybind11::arg("jobs") = 1)
+        .def("__repr__", [name](const Proof& p) { return "<" + std::string(name) + ": " + p.demand + ">"; })
         .def("_repr_svg_", picture_or_none<Proof>);
 }
 
-template <class Options = api::CertifyOptions>
-Options within(Options options, const Budget& budget) {
+/// work(options), within the budget, while Ctrl-C ends it.
+template <class Options, class Work>
+auto running(Options options, const Budget& budget, const Work& work) {
     if (budget) {
         options.budget = std::chrono::duration<double>(budget->value);
     }
-    return options;
+    return running([&](const api::Stopped& stopped) {
+        options.stopped = stopped;
+        return work(options);
+    });
 }
 
 /// Pickles, and copies, by these members.

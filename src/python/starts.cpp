@@ -57,20 +57,14 @@ Starts certify_starts(const Number& q, const Number& phi, const Number& phidot, 
                       const Budget& budget) {
     const api::MassRatio ratio(q.value);
     const api::InitialCondition box{phi.value, phidot.value, y.value, ydot.value};
-    auto options = within(api::StartsOptions{.boxes = boxes, .digits = digits, .jobs = jobs}, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::certify_starts(ratio, box, options);
-    });
+    return running(api::StartsOptions{.boxes = boxes, .digits = digits, .jobs = jobs}, budget,
+                   [&](const auto& options) { return api::certify_starts(ratio, box, options); });
 }
 
 Starts certify_incoming(const Number& q, const Whole& boxes, const Whole& jobs, const Budget& budget) {
     const api::MassRatio ratio(q.value);
-    auto options = within(api::StartsOptions{.boxes = boxes, .jobs = jobs}, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::certify_incoming(ratio, options);
-    });
+    return running(api::StartsOptions{.boxes = boxes, .jobs = jobs}, budget,
+                   [&](const auto& options) { return api::certify_incoming(ratio, options); });
 }
 
 }  // namespace
@@ -81,10 +75,8 @@ void add_starts(py::module_& module) {
         .def(by_members<Share>(&Share::least, &Share::most, &Share::lo, &Share::hi));
     certificate_class<Starts>(module, "StartsCertificate",
                               "A proof of how many starts have how many collisions.")
-        .def_property_readonly(
-            "lower", [](const Starts& s) { return s.least; }, "every start has at least this number")
-        .def_property_readonly(
-            "upper", [](const Starts& s) { return s.most; }, "and at most this; None: nothing is known")
+        .def_readonly("lower", &Starts::least, "every start has at least this number")
+        .def_readonly("upper", &Starts::most, "and at most this; None: nothing is known")
         .def_property_readonly(
             "shares", shares_of,
             "(k, k2, lo, hi): k to k2 collisions (None: no end) have a share from lo to hi")
@@ -96,11 +88,7 @@ void add_starts(py::module_& module) {
             "A map of the starts: exactly two quantities are intervals.")
         .def(by_members<Starts>(&Starts::least, &Starts::most, &Starts::shares, &Starts::undecided,
                                 &Starts::mean_lo, &Starts::mean_hi, &Starts::certificate, &Starts::sha256,
-                                &Starts::demand))
-        .def("__repr__", [](const Starts& s) {
-            return "<StartsCertificate: " + std::to_string(s.least) +
-                   (s.most ? " to " + std::to_string(*s.most) + " collisions>" : " collisions or more>");
-        });
+                                &Starts::demand));
     module.def("certify_starts", certify_starts, starts_text, py::arg("q"), py::kw_only(), py::arg("phi"),
                py::arg("phidot"), py::arg("y"), py::arg("ydot"), py::arg("boxes") = 50000,
                py::arg("digits") = 0, py::arg("jobs") = 1, py::arg("budget") = py::none());

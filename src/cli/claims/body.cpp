@@ -10,9 +10,9 @@
 namespace dumbbell::cli {
 namespace {
 
-using collisions::GivenBody;
+using collisions::CertifyRequest;
 
-GivenBody rod_of(const Given& given) {
+CertifyRequest rod_of(const Given& given) {
     if (!given.has("RATIO")) {
         throw InputError("--rod-mass needs RATIO, the mass ratio of the two ends");
     }
@@ -23,7 +23,7 @@ GivenBody rod_of(const Given& given) {
     return collisions::body_of_rod(ratio.lo, parse_number("--rod-mass", given.text("--rod-mass")));
 }
 
-GivenBody given_numbers(const Given& given) {
+CertifyRequest given_numbers(const Given& given) {
     if (!given.has("--rho") || !given.has("--inertia")) {
         throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
     }
@@ -46,7 +46,7 @@ std::string rod_words(const Given& given) {
                        denominator(mass) == 1 ? numerator(mass).str() : to_fraction(mass));
 }
 
-collisions::CertifyRequest body_request(const Given& given) {
+CertifyRequest body_request(const Given& given) {
     const auto scene = given.has("--scene") ? given.text("--scene") : "body";
     if (scene != "body") {
         throw InputError("bodies are of --scene body");
@@ -54,16 +54,9 @@ collisions::CertifyRequest body_request(const Given& given) {
     if (!given.has("--rod-mass") && given.has("RATIO")) {
         throw InputError("a body has a RATIO only with --rod-mass; else give --rho and --inertia, or --coin");
     }
-    const GivenBody body = given.has("--coin")       ? collisions::body_of("1", "4")
-                           : given.has("--rod-mass") ? rod_of(given)
-                                                     : given_numbers(given);
-    collisions::CertifyRequest request;
-    request.q_lo = body.lo;
-    request.q_hi = body.hi;
-    request.scene = collisions::Scene::body;
-    request.section = collisions::Section::plain;
-    request.heights = body.heights;
-    return request;
+    return given.has("--coin")       ? collisions::body_of("1", "4")
+           : given.has("--rod-mass") ? rod_of(given)
+                                     : given_numbers(given);
 }
 
 }  // namespace dumbbell::cli
