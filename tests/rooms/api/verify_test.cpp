@@ -74,10 +74,7 @@ TEST_CASE("Without a bound in the claim any will do, and a file without one is o
     CHECK(verify(folder / "open.dbc", {.ratio = "1:1000000"}).verdict == Verdict::open);
 }
 
-TEST_CASE("A claim that is none is refused, never verified") {
-    for (const Claim& claim : {Claim{.ratio = "ten", .most = 4}, Claim{.ratio = "2:1", .most = 4}}) {
-        CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
-    }
+TEST_CASE("What cannot be taken is refused, never verified") {
     CHECK_THROWS_AS(verify(ten, {.ratio = "10", .most = 4}, 0), std::invalid_argument);
     CHECK_THROWS_AS(verify(ten + '\0', {.ratio = "10", .most = 4}), std::invalid_argument);
 }
@@ -96,23 +93,15 @@ TEST_CASE("A text in memory is verified as a file is, plain or compressed") {
     CHECK(verify_text(proof.certificate, {.ratio = "10", .most = 3}).verdict == Verdict::rejected);
 }
 
-TEST_CASE("Claims of other kinds have their names") {
-    CHECK(verify(ten, {.ratio = "", .kind = "law"}).verdict == Verdict::rejected);
-    CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "law"}), std::invalid_argument);
-    CHECK(!verify(DUMBBELL_CERTIFICATES "/law.dbc.gz", {.ratio = "10"}));
-    CHECK_THROWS_AS(verify(ten, {.ratio = "10", .kind = "lore"}), std::invalid_argument);
-}
-
-TEST_CASE("Whatever the program can be asked is claimed in its words, and nothing else") {
-    const std::string coin = DUMBBELL_CERTIFICATES "/coin.dbc", law = DUMBBELL_CERTIFICATES "/law.dbc.gz";
-    CHECK(verify(coin, {.demand = "--coin --exactly 4"}));
+TEST_CASE("What the members of a claim say may be said in the words of the program, once") {
+    const std::string coin = DUMBBELL_CERTIFICATES "/coin.dbc";
     CHECK(verify(coin, {.least = 3, .demand = "--rho=1 --inertia 4"}));
     CHECK(!verify(coin, {.ratio = "4", .most = 4}));
-    CHECK(verify(law, {.demand = "--claim law"}));
+    CHECK(verify(DUMBBELL_CERTIFICATES "/law.dbc.gz", {.demand = "--claim law"}));
     for (const Claim& claim :
          {Claim{.most = 4, .demand = "--max 4"}, Claim{.kind = "collisions", .demand = "--claim law"},
           Claim{.demand = "--gap 1e-6 --jobs 2"}, Claim{.demand = "ten"}, Claim{.demand = "--gap"},
-          Claim{.ratio = "10", .demand = "--help"}, Claim{.demand = "--claim law --gap 1e-6"}}) {
+          Claim{.ratio = "10", .demand = "--help"}, Claim{.ratio = "10", .kind = "law"}}) {
         CHECK_THROWS_AS(verify(ten, claim), std::invalid_argument);
     }
 }
