@@ -18,8 +18,13 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-static_assert(static_cast<int>(Section::plain) == static_cast<int>(collisions::Section::plain) &&
-              static_cast<int>(Scene::body) == static_cast<int>(collisions::Scene::body));
+constexpr bool are_same(auto ours, auto theirs) { return static_cast<int>(ours) == static_cast<int>(theirs); }
+static_assert(are_same(Section::turning, collisions::Section::turning) &&
+              are_same(Section::full, collisions::Section::full) &&
+              are_same(Section::plain, collisions::Section::plain) &&
+              are_same(Scene::hybrid, collisions::Scene::hybrid) &&
+              are_same(Scene::wedge, collisions::Scene::wedge) &&
+              are_same(Scene::body, collisions::Scene::body));
 
 collisions::CertifyRequest with(const CertifyOptions& options, collisions::CertifyRequest request) {
     request.gap = parse_gap(options.gap);

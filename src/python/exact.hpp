@@ -17,6 +17,7 @@
 /// What goes between Python and the library: numbers exactly, as text.
 namespace dumbbell::python {
 
+/// A name as an argument of a template.
 template <std::size_t size>
 struct Text {
     char letters[size];
