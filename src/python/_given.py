@@ -104,8 +104,8 @@ def demand(claims):
     words = []
     for name, x in claims.items():
         option = "--" + names.get(name, name.replace("_", "-"))
-        if name == "coin" and isinstance(x, bool):
-            words += [option] * x
+        if name == "coin":
+            words += [option] * truth(x)
         elif x is not None:
             words.append(word(f"{option}={number(x)}"))
     for one in words:

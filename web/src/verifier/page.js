@@ -40,15 +40,11 @@ const system = () => (scene.value === "body" ? bodies : massless);
 
 /// A verdict is about the claim that was judged: an edited one has none yet.
 function edited() {
-    showClaim();
-    show();
-}
-
-function showClaim() {
     for (const element of [...massless, ...bodies]) {
         element.hidden = !system().includes(element);
     }
     claim.hidden = !own.checked;
+    show();
 }
 
 /// The claim as options of dumbbell-verify.
@@ -124,7 +120,7 @@ document.getElementById("page").replaceChildren(
     results,
     h("footer", {}, `dumbbell ${version}. A verdict rests on the source of the verifier, which is that of the program dumbbell-verify, on clang and emscripten, and on this browser. ${licences}`),
 );
-showClaim();
+edited();
 watchTheme();
 watchDrops();
 document.documentElement.dataset.drawn = "1";
