@@ -1,10 +1,10 @@
 #include "dumbbell/certify.hpp"
 
-#include <algorithm>
+#include <array>
 
 #include "api/caller_stops.hpp"
+#include "api/checked.hpp"
 #include "api/exact_ratio.hpp"
-#include "api/jobs.hpp"
 #include "api/translate.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
@@ -18,28 +18,43 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-collisions::Section section_of(Section section) {
-    return section == Section::turning ? collisions::Section::turning
-           : section == Section::full  ? collisions::Section::full
-                                       : collisions::Section::plain;
+/// In the order of Scene and of Section.
+constexpr std::array<std::string_view, 4> scenes{"dumbbell", "hybrid", "wedge", "body"};
+constexpr std::array<std::string_view, 3> sections{"turning", "full", "plain"};
+
+collisions::CertifyRequest request_of(collisions::Claim claim, const CertifyOptions& options) {
+    claim.gap = parse_gap(options.gap);
+    const collisions::Range rho = claim.system.rho.value_or(collisions::Range{1, 1});
+    for (const Rational& number : {claim.range.lo, claim.range.hi, rho.lo, rho.hi}) {
+        // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
+        // back.
+        if (to_fraction(number).size() > 2040) {
+            throw dumbbell::InputError(
+                "a number of the claim has too many digits for a certificate: its fraction is longer than "
+                "2040 characters");
+        }
+    }
+    return {.claim = claim, .jobs = checked_jobs(options.jobs), .budget = options.budget, .describes = false};
 }
 
 collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
-    collisions::CertifyRequest request;
-    request.claim.range = {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())};
-    // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
-    // back.
-    if (std::max(ratio.lo().size(), ratio.hi().size()) > 2040) {
+    const auto section = collisions::section_named(scenes.at(static_cast<std::size_t>(options.scene)),
+                                                   sections.at(static_cast<std::size_t>(options.section)));
+    if (options.scene == Scene::body || !section) {
         throw dumbbell::InputError(
-            "the mass ratio has too many digits for a certificate: its fraction is longer "
-            "than 2040 characters");
+            "a mass ratio is of the dumbbell, or of a wedge in the section turning; a body has rho and "
+            "inertia");
     }
-    request.claim.gap = parse_gap(options.gap);
-    request.claim.system.section = section_of(options.section);
-    request.jobs = checked_jobs(options.jobs);
-    request.budget = options.budget;
-    request.describes = false;
-    return request;
+    return request_of({.range = {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())}, .system = {*section}},
+                      options);
+}
+
+collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
+    if (options.section == Section::full ||
+        (options.scene != Scene::dumbbell && options.scene != Scene::body)) {
+        throw dumbbell::InputError("bodies are of the scene body, without a section");
+    }
+    return request_of(collisions::claim_of_body(body.rho, body.inertia), options);
 }
 
 Piece given(const collisions::Piece& piece) {
@@ -47,25 +62,48 @@ Piece given(const collisions::Piece& piece) {
     return {to_fraction(piece.q_lo), to_fraction(piece.q_hi), as_long(piece.lower), most};
 }
 
-Proof proof_of(const MassRatio& ratio, const CertifyOptions& options) {
-    const CallerStops stops(options.stopped);
-    const collisions::CertifyRequest request = request_of(ratio, options);
-    collisions::Certificate certificate;
-    certificate.system = request.claim.system;
+Proof proof_of(const collisions::Certificate& certificate, SealedText text) {
     Proof proof;
-    for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
-        proof.pieces.push_back(given(certificate.pieces.emplace_back(std::move(proved.piece))));
+    for (const collisions::Piece& piece : certificate.pieces) {
+        proof.pieces.push_back(given(piece));
     }
-    SealedText text = render(certificate);
     proof.certificate = std::move(text.text);
     proof.sha256 = std::move(text.sha256);
+    proof.demand = whole_demand(claim_of(certificate), pieces_of(certificate));
+    const std::string_view scene = row_of(certificate.system.section).scene;
+    proof.scene = static_cast<Scene>(std::ranges::find(scenes, scene) - scenes.begin());
+    if (const auto& rho = certificate.system.rho) {
+        proof.rho_lo = to_fraction(rho->lo);
+        proof.rho_hi = to_fraction(rho->hi);
+    }
     return proof;
+}
+
+Proof proof_of(const collisions::CertifyRequest& request, const Stopped& stopped) {
+    const CallerStops stops(stopped);
+    collisions::Certificate certificate{.pieces = {}, .system = request.claim.system};
+    for (collisions::ProvedPiece& proved : dumbbell::collisions::certify(request)) {
+        certificate.pieces.push_back(std::move(proved.piece));
+    }
+    return proof_of(certificate, render(certificate));
 }
 
 }  // namespace
 
 Proof certify(const MassRatio& ratio, const CertifyOptions& options) {
-    return guarded([&] { return proof_of(ratio, options); });
+    return guarded([&] { return proof_of(request_of(ratio, options), options.stopped); });
+}
+
+Proof certify(const Body& body, const CertifyOptions& options) {
+    return guarded([&] { return proof_of(request_of(body, options), options.stopped); });
+}
+
+Body body_of_rod(const MassRatio& ends, std::string_view mass) {
+    return guarded([&]() -> Body {
+        const auto body = claim_of(
+            collisions::Rod{single_ratio(ends, "a rod with mass"), parse_number("mass", std::string(mass))});
+        return {to_fraction(body.system.rho->lo), to_fraction(body.range.lo)};
+    });
 }
 
 std::vector<Proof> certify_many(std::span<const MassRatio> ratios, const CertifyOptions& options) {
@@ -74,7 +112,9 @@ std::vector<Proof> certify_many(std::span<const MassRatio> ratios, const Certify
         CertifyOptions each = options;
         each.jobs = 1;
         run_with_threads(checked_jobs(options.jobs), [&] {
-            in_parallel(ratios.size(), [&](std::size_t i) { proofs[i] = proof_of(ratios[i], each); });
+            in_parallel(ratios.size(), [&](std::size_t i) {
+                proofs[i] = proof_of(request_of(ratios[i], each), options.stopped);
+            });
         });
         return proofs;
     });
@@ -84,19 +124,15 @@ Proof read_proof(std::string_view text) {
     return guarded([&] {
         const NamedFile source("the certificate", text);
         const collisions::Certificate certificate = collisions::read_certificate(source);
-        if (!row_of(certificate.system.section).has_orbits || certificate.sha256.empty()) {
-            throw dumbbell::InputError("the certificate is damaged, or not about N(q)");
+        if (certificate.sha256.empty()) {
+            throw dumbbell::InputError("the certificate is damaged");
         }
-        Proof proof;
-        for (const collisions::Piece& piece : certificate.pieces) {
-            proof.pieces.push_back(given(piece));
-        }
+        std::string unpacked;
         UnpackedText lines(source);
         for (auto line = lines.next_line(); !line.empty(); line = lines.next_line()) {
-            proof.certificate += line;
+            unpacked += line;
         }
-        proof.sha256 = certificate.sha256;
-        return proof;
+        return proof_of(certificate, {std::move(unpacked), certificate.sha256});
     });
 }
 

@@ -1,6 +1,7 @@
 #include "dumbbell/critical.hpp"
 
 #include "api/caller_stops.hpp"
+#include "api/checked.hpp"
 #include "api/translate.hpp"
 #include "base/error.hpp"
 #include "critical/range.hpp"
@@ -12,12 +13,9 @@ inline namespace DUMBBELL_ABI {
 namespace {
 
 critical::Request request_of(long n, const CriticalOptions& options) {
-    if (options.digits < 1 || options.digits > critical::most_digits) {
-        throw dumbbell::InputError("digits is out of range: give 1 to 1000");
-    }
     critical::Request request;
     request.first = request.last = parse_counts(std::to_string(n)).first;
-    request.digits = options.digits;
+    request.digits = checked("digits", options.digits, 1, critical::most_digits);
     request.budget = options.budget;
     return request;
 }

@@ -1,7 +1,7 @@
 #include "dumbbell/law.hpp"
 
+#include "api/exact_ratio.hpp"
 #include "api/law_certificate.hpp"
-#include "api/single_ratio.hpp"
 #include "api/translate.hpp"
 #include "file/sealed_lines.hpp"
 #include "law/at_ratio.hpp"

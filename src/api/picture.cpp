@@ -3,6 +3,7 @@
 #include "api/translate.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/section.hpp"
 #include "collisions/witness_orbit.hpp"
 #include "flight/paper_bound.hpp"
 #include "pictures/orbit.hpp"
@@ -32,7 +33,11 @@ std::string picture(const Proof& proof) {
     return guarded([&] {
         const collisions::Certificate certificate =
             collisions::read_certificate({"the certificate", proof.certificate});
-        if (certificate.q_lo() == certificate.q_hi()) {
+        const bool is_single = certificate.q_lo() == certificate.q_hi();
+        if (certificate.system.rho || (is_single && !row_of(certificate.system.section).has_orbits)) {
+            throw dumbbell::InputError("pictures are of orbits of the dumbbell, and of staircases");
+        }
+        if (is_single) {
             return orbit_of(certificate.pieces.front());
         }
         if (certificate.q_hi() > flight::paper_bound_limit()) {

@@ -1,19 +1,14 @@
 #pragma once
 
+#include "api/checked.hpp"
 #include "api/exact_ratio.hpp"
-#include "base/error.hpp"
 #include "dumbbell/trace.hpp"
 #include "starts/given/given_start.hpp"
 
 namespace dumbbell::api {
 
-/// A caller's precision. Throws InputError.
-inline int checked_digits(int digits) {
-    if (digits < 0 || digits > 100'000) {
-        throw dumbbell::InputError("digits is out of range: give 0 (double precision) to 100000");
-    }
-    return digits;
-}
+/// A caller's precision; 0 is double precision. Throws InputError.
+inline int checked_digits(int digits) { return checked("digits", digits, 0, 100'000); }
 
 /// The box that is meant. Throws InputError, naming the quantity.
 inline starts::Box start_of(const MassRatio& ratio, const InitialCondition& start, int bits) {

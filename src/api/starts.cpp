@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "api/caller_stops.hpp"
-#include "api/jobs.hpp"
-#include "api/single_ratio.hpp"
+#include "api/checked.hpp"
+#include "api/exact_ratio.hpp"
 #include "api/start.hpp"
 #include "api/translate.hpp"
 #include "starts/answer/mean.hpp"
@@ -31,23 +31,22 @@ void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
 }
 
 StartsProof proof_of(const starts::Box& box, bool incoming, const StartsOptions& options) {
-    if (options.boxes < 1 || options.boxes > 10'000'000) {
-        throw dumbbell::InputError("boxes is out of range: give 1 to 10000000");
-    }
     const int bits = incoming ? double_bits : std::min(starts::working_bits(options.digits), most_bits);
     const CallerStops stops(options.stopped);
-    const starts::Subdivision parts =
-        subdivide(box, starts::SubdivideOptions{.max_boxes = options.boxes,
-                                                .jobs = checked_jobs(options.jobs),
-                                                .incoming = incoming,
-                                                .bits = bits,
-                                                .interrupted = deadline(options.budget)});
+    const starts::Subdivision parts = subdivide(
+        box,
+        starts::SubdivideOptions{.max_boxes = checked<std::size_t>("boxes", options.boxes, 1, 10'000'000),
+                                 .jobs = checked_jobs(options.jobs),
+                                 .incoming = incoming,
+                                 .bits = bits,
+                                 .interrupted = deadline(options.budget)});
     StartsProof proof;
     proof.least = parts.least;
     proof.most = parts.most;
     proof.undecided = to_fraction(parts.undecided.share);
     add_shares(proof, parts.tree);
     const starts::Certificate frame{.box = box, .bits = parts.bits, .tree = {}, .incoming = incoming};
+    proof.demand = claim_options(incoming, box, parts.least, parts.most, Rational(1) - parts.undecided.share);
     proof.sha256 = render(frame, parts.tree, [&](std::string_view part) { proof.certificate.append(part); });
     return proof;
 }

@@ -1,5 +1,9 @@
 #include "dumbbell/verify.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -37,22 +41,42 @@ class StoppableBytes : public dumbbell_verify::Source {
     std::optional<dumbbell_verify::Bytes> bytes_;  ///< opened when the first are wanted
 };
 
+/// By the verifier's own table of options, which refuses what does not fit.
+dumbbell_verify::ClaimWords words_of(const Claim& claim) {
+    std::vector<std::string> options;
+    const auto add = [&](const char* option, const std::string& value) {
+        options.insert(options.end(), {option, value});
+    };
+    if (claim.kind && !claim.kind->empty()) {
+        add("--claim", *claim.kind);
+    }
+    if (!claim.ratio.empty()) {
+        add("--ratio", claim.ratio);
+    }
+    if (claim.most) {
+        add("--max", std::to_string(*claim.most));
+    }
+    if (claim.least) {
+        add("--min", std::to_string(*claim.least));
+    }
+    std::istringstream demand(claim.demand);
+    options.insert(options.end(), std::istream_iterator<std::string>(demand), {});
+    dumbbell_verify::Arguments claimed(std::move(options));
+    dumbbell_verify::ClaimWords words;
+    while (claimed.next()) {
+        if (!claim_option(claimed, words)) {
+            throw std::invalid_argument("`" + claimed.word.substr(0, 60) + "` states no claim");
+        }
+    }
+    if (!claim.kind) {
+        words.try_emplace("--claim", "collisions");
+    }
+    return words;
+}
+
 dumbbell_verify::Job job_of(const Claim& claim, unsigned jobs, const std::string& budget) try {
     if (jobs < 1 || jobs > 1024) {
         throw std::invalid_argument("jobs is out of range: give a number of threads from 1 to 1024");
-    }
-    std::vector<std::string> options;
-    if (!claim.kind.empty()) {
-        options = {"--claim", claim.kind};
-    }
-    if (!claim.ratio.empty()) {
-        options.insert(options.end(), {"--ratio", claim.ratio});
-    }
-    if (claim.most) {
-        options.insert(options.end(), {"--max", std::to_string(*claim.most)});
-    }
-    if (claim.least) {
-        options.insert(options.end(), {"--min", std::to_string(*claim.least)});
     }
     dumbbell_verify::Job job;
     job.settings.jobs = jobs;
@@ -60,33 +84,19 @@ dumbbell_verify::Job job_of(const Claim& claim, unsigned jobs, const std::string
     dumbbell_verify::Arguments time({"--budget", budget});
     time.next();
     job.settings.budget = time.time();
-    dumbbell_verify::Arguments claimed(std::move(options));
-    dumbbell_verify::ClaimWords words;
-    while (claimed.next()) {
-        claim_option(claimed, words);
-    }
-    state_claim(words, job.settings);
+    state_claim(words_of(claim), job.settings);
     return job;
 } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(without_dashes(error.what()));
 }
 
-Verdict given(dumbbell_verify::Verdict verdict) {
-    switch (verdict) {
-        case dumbbell_verify::Verdict::verified:
-            return Verdict::verified;
-        case dumbbell_verify::Verdict::open:
-            return Verdict::open;
-        case dumbbell_verify::Verdict::unreadable:
-            return Verdict::unreadable;
-        case dumbbell_verify::Verdict::unsupported:
-            return Verdict::unsupported;
-        case dumbbell_verify::Verdict::limit:
-            return Verdict::limit;
-        case dumbbell_verify::Verdict::rejected:
-            break;
-    }
-    return Verdict::rejected;
+using Found = dumbbell_verify::Verdict;
+
+Verdict given(Found verdict) {
+    constexpr std::array in_order{Found::verified,   Found::rejected, Found::unsupported,
+                                  Found::unreadable, Found::limit,    Found::open};
+    static_assert(in_order.size() == static_cast<std::size_t>(Found::rejected) + 1);
+    return static_cast<Verdict>(std::ranges::find(in_order, verdict) - in_order.begin());
 }
 
 template <class From>

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/error.hpp"
 #include "base/printable.hpp"
 #include "collisions/section.hpp"
 #include "number/decimal.hpp"
+#include "number/ratio_argument.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -65,7 +67,32 @@ std::string gap_text(const Rational& width) {
     return exact(bound) < 1 ? to_text(bound) : "";
 }
 
+/// As it is written: no number of a body changes into its inverse.
+Range parse_ends(const char* option, const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const Rational lo = parse_number(option, text.substr(0, colon));
+    const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
+    if (lo == 0 || lo > hi) {
+        throw InputError(
+            fmt::format("{} is a number greater than 0, or a range LO:HI, the smaller one first", option));
+    }
+    return {lo, hi};
+}
+
 }  // namespace
+
+Claim claim_of_body(const std::string& rho, const std::string& inertia) {
+    const Range heights = parse_ends("--rho", rho), q = parse_ends("--inertia", inertia);
+    if (heights.hi > 1) {
+        throw InputError("--rho is d2/d1 with d1 >= d2, so at most 1: swap the ends");
+    }
+    if (q.lo * heights.lo < 1) {
+        throw InputError(
+            "no body with its mass between its contacts has these numbers: inertia times rho is "
+            "at least 1 (proofs/body.md, L70)");
+    }
+    return {.range = q, .system = {Section::body, heights}};
+}
 
 Claim claim_of(const Rod& rod) {
     const auto& [q, mu] = rod;

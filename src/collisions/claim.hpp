@@ -23,6 +23,9 @@ struct Claim {
     std::optional<Rod> rod = {};  ///< if it was given so
 };
 
+/// Bodies with this rho and this inertia Q, each a number or LO:HI as a user writes it. Throws InputError,
+/// which names the option, if no body with its mass between its contacts has them (L70).
+[[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);
 /// The massless dumbbell with a rod of that mass as a body (L70 (d)).
 [[nodiscard]] Claim claim_of(const Rod& rod);
 /// Its gap is the widest that the certificate has; 0: it has none.

@@ -1,7 +1,7 @@
 """Certified collision counts of the bouncing dumbbell.
 
 >>> certify(10)
-<Certificate of 10/1: N = 4>
+<Certificate: --ratio 10 --exactly 4>
 
 What goes in is exact, what comes out is proved, in C++: nothing is computed in Python. docs/13-python.md is the chapter.
 """
@@ -34,15 +34,8 @@ def _named(function):
     return call
 
 
-certify = _named(_dumbbell.certify)
-certify_incoming = _named(_dumbbell.certify_incoming)
-certify_many = _named(_dumbbell.certify_many)
-certify_starts = _named(_dumbbell.certify_starts)
-critical = _named(_dumbbell.critical)
-law = _named(_dumbbell.law)
-mean_collisions = _named(_dumbbell.mean_collisions)
-trace = _named(_dumbbell.trace)
-verify = _named(_dumbbell.verify)
+for _name in ("certify", "certify_incoming", "certify_many", "certify_starts", "critical", "law", "mean_collisions", "trace", "verify"):
+    globals()[_name] = _named(getattr(_dumbbell, _name))
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 

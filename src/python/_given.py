@@ -68,6 +68,12 @@ def whole(x):
     raise _InputTypeError(f"{_shown(x)} is no whole number: give an int")
 
 
+def truth(x):
+    if isinstance(x, bool):
+        return x
+    raise _InputTypeError(f"{_shown(x)} is neither True nor False")
+
+
 def seconds(x):
     if _is_bool(x) or not hasattr(x, "__float__"):
         raise _InputTypeError(f"{_shown(x)} is no number of seconds: give an int or a float, or None for no budget")
@@ -84,6 +90,28 @@ def word(x):
     if isinstance(x, str):
         return x.encode(errors="backslashreplace").decode()
     raise _InputTypeError(f"{_shown(x)} is no text: give a str")
+
+
+def place(x, words):
+    if word(x) not in words:
+        raise InputError(f"{_shown(x)} is none of {', '.join(words)}")
+    return words.index(x)
+
+
+def demand(claims):
+    """`--ratio=10 --coin`: a claim as dumbbell-verify spells it. What is None is not claimed."""
+    names = {"most": "max", "least": "min", "kind": "claim"}
+    words = []
+    for name, x in claims.items():
+        option = "--" + names.get(name, name.replace("_", "-"))
+        if name == "coin":
+            words += [option] * truth(x)
+        elif x is not None:
+            words.append(word(f"{option}={number(x)}"))
+    for one in words:
+        if one.split() != [one]:
+            raise InputError(f"{_shown(one)} has a blank in it: give each part of a claim by its own name")
+    return " ".join(words)
 
 
 def path(x):

@@ -46,11 +46,8 @@ floats, rounded outward. `digits`: the precision; 0 is double precision.
 )";
 
 py::tuple critical(const Whole& n, const Whole& digits, const Budget& budget) {
-    auto options = within(api::CriticalOptions{.digits = digits}, budget);
-    const auto ratio = running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::critical(n, options);
-    });
+    const auto ratio = running(api::CriticalOptions{.digits = digits}, budget,
+                               [&](const auto& options) { return api::critical(n, options); });
     if (!ratio) {
         PyErr_SetString(PyExc_TimeoutError, "not enclosed within the budget, or with 16384 bits");
         throw py::error_already_set();
@@ -61,7 +58,7 @@ py::tuple critical(const Whole& n, const Whole& digits, const Budget& budget) {
 py::tuple law(const Number& q) {
     const api::MassRatio ratio(q.value);
     const api::Law found = running([&](const api::Stopped&) { return api::law(ratio); });
-    return py::make_tuple(whole(found.least), whole(found.most));
+    return py::make_tuple(py::int_(py::str(found.least)), py::int_(py::str(found.most)));
 }
 
 Trace trace(const Number& q, const Number& phi, const Number& phidot, const Number& y, const Number& ydot,

@@ -14,28 +14,32 @@ using api::Piece;
 using api::Proof;
 
 constexpr const char* certificate_text =
-    R"(A proof of N(q), as the text that the verifier checks.
+    R"(A proof of the greatest number of collisions, as the text that the verifier checks.
 
 >>> Certificate(certify(10).bytes)
-<Certificate of 10/1: N = 4>
+<Certificate: --ratio 10 --exactly 4>
 
 What is read from bytes, or from a file by its name, is verified first. InputError: it is not verified.
 )";
 
 constexpr const char* certify_text =
-    R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range.
+    R"(Proves the greatest number of collisions N(q) for a mass ratio, or for every one of a range; or that of a body.
 
 >>> certify(10)
-<Certificate of 10/1: N = 4>
+<Certificate: --ratio 10 --exactly 4>
 >>> stairs = certify((1, 100))
 >>> stairs.lower, stairs.upper
 (2, 10)
 >>> certify(4.6) == certify('4.6')  # a float is its exact value, a decimal in text is as written
 False
+>>> certify(coin=True), certify(10, rod_mass='1/100').upper
+(<Certificate: --coin --exactly 4>, 5)
 
 `q` is exact: an int, a Fraction, a Decimal, a float (its exact value), text such as '9/2', '4.6' or '1:100', or a pair
-(lo, hi). Below 1 the masses are swapped. `section`: 'turning', 'full' or 'plain'. `gap`: the relative width of the gaps
-at the steps of a range. `budget`: seconds; what is not decided by then is open.
+(lo, hi). Below 1 the masses are swapped. `scene`: 'dumbbell', or a model wedge, 'hybrid' or 'wedge'. `section`:
+'turning', 'full' or 'plain'. `gap`: the relative width of the gaps at the steps of a range. `budget`: seconds; what is
+not decided by then is open. A rigid body, in a plane: `rho` and `inertia`, each a number or a pair; or `coin`; or `q`
+with `rod_mass`, the dumbbell whose rod has so many times the mass of its ends.
 )";
 
 constexpr const char* certify_many_text =
@@ -58,57 +62,47 @@ py::tuple pieces_of(const Proof& proof) {
     return pieces;
 }
 
-std::string ratio_text(const Proof& proof) {
-    const std::string &lo = proof.pieces.front().lo, &hi = proof.pieces.back().hi;
-    return lo == hi ? lo : lo + ":" + hi;
-}
-
-std::string described(const Proof& proof) {
-    const long least = proof.least();
-    const auto most = proof.most();
-    const std::string bounds = !most            ? "N >= " + std::to_string(least) + ", open"
-                               : *most == least ? "N = " + std::to_string(least)
-                                                : std::to_string(least) + " <= N <= " + std::to_string(*most);
-    return "<Certificate of " + ratio_text(proof) + ": " + bounds + ">";
-}
-
-api::Verification verify_proof(const Proof& proof, const Whole& jobs) {
-    return verify_itself(proof.certificate, {}, proof.least(), proof.most(), jobs);
-}
-
 /// Of a file that says something false there is none.
 Proof read(const Content& file, const Whole& jobs) {
-    const api::Verification found = running(
-        [&](const api::Stopped& stopped) { return api::verify_text(file.value, {}, jobs, "100h", stopped); });
+    Proof proof = api::read_proof(file.value);
+    const api::Verification found = verify_itself(proof, jobs);
     if (!found && found.verdict != api::Verdict::open) {
         throw api::InputError("not a certificate of N(q) that the verifier verifies: " + found.text);
     }
-    return api::read_proof(file.value);
+    return proof;
 }
 
-api::CertifyOptions certify_options(const Word& section, const Number& gap, const Whole& jobs,
-                                    const Budget& budget) {
-    auto options = within(api::CertifyOptions{.gap = gap.value, .jobs = jobs}, budget);
-    if (section.value == "full" || section.value == "plain") {
-        options.section = section.value == "full" ? api::Section::full : api::Section::plain;
-    } else if (section.value != "turning") {
-        throw api::InputError("section is 'turning', 'full' or 'plain'");
+/// What is meant, if it is a body.
+std::optional<api::Body> body_of(const std::optional<Number>& q, const std::optional<Number>& rho,
+                                 const std::optional<Number>& inertia, bool coin,
+                                 const std::optional<Number>& rod_mass) {
+    if (coin + rod_mass.has_value() + (rho || inertia) > 1 || rho.has_value() != inertia.has_value() ||
+        q.has_value() == (coin || rho)) {
+        throw api::InputError("give q, or q and rod_mass, or rho and inertia, or coin=True");
     }
-    return options;
+    return coin       ? std::optional(api::Body{"1", "4"})
+           : rod_mass ? std::optional(api::body_of_rod(MassRatio(q->value), rod_mass->value))
+           : rho      ? std::optional(api::Body{rho->value, inertia->value})
+                      : std::nullopt;
 }
 
-Proof certify(const Number& q, const Word& section, const Number& gap, const Whole& jobs,
-              const Budget& budget) {
-    const MassRatio ratio(q.value);
-    api::CertifyOptions options = certify_options(section, gap, jobs, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::certify(ratio, options);
+api::CertifyOptions options_of(api::Section section, const Number& gap, const Whole& jobs, api::Scene scene) {
+    return {.gap = gap.value, .jobs = jobs, .section = section, .scene = scene};
+}
+
+Proof certify(const std::optional<Number>& q, api::Section section, const Number& gap, const Whole& jobs,
+              const Budget& budget, api::Scene scene, const std::optional<Number>& rho,
+              const std::optional<Number>& inertia, const Truth& coin,
+              const std::optional<Number>& rod_mass) {
+    const auto body = body_of(q, rho, inertia, coin.value, rod_mass);
+    const auto ratio = body ? std::nullopt : std::optional<MassRatio>(q->value);
+    return running(options_of(section, gap, jobs, scene), budget, [&](const auto& options) {
+        return body ? api::certify(*body, options) : api::certify(*ratio, options);
     });
 }
 
-std::vector<Proof> certify_many(const Numbers& ratios, const Word& section, const Number& gap,
-                                const Whole& jobs, const Budget& budget) {
+std::vector<Proof> certify_many(const Numbers& ratios, api::Section section, const Number& gap,
+                                const Whole& jobs, const Budget& budget, api::Scene scene) {
     std::vector<MassRatio> all;
     for (const std::string& q : ratios.value) {
         all.emplace_back(q);
@@ -116,49 +110,51 @@ std::vector<Proof> certify_many(const Numbers& ratios, const Word& section, cons
             throw py::error_already_set();
         }
     }
-    api::CertifyOptions options = certify_options(section, gap, jobs, budget);
-    return running([&](const api::Stopped& stopped) {
-        options.stopped = stopped;
-        return api::certify_many(all, options);
-    });
+    return running(options_of(section, gap, jobs, scene), budget,
+                   [&](const auto& options) { return api::certify_many(all, options); });
 }
 
-template <class Function>
-void add(py::module_& module, const char* name, Function function, const char* text, const char* given) {
-    module.def(name, function, text, py::arg(given), py::kw_only(), py::arg("section") = "turning",
-               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none());
+template <class Function, class... More>
+void add(py::module_& module, const char* name, Function function, const char* text, const auto& given,
+         const More&... more) {
+    module.def(name, function, text, given, py::kw_only(), py::arg("section") = api::Section::turning,
+               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none(),
+               py::arg("scene") = api::Scene::dumbbell, more...);
 }
 
 }  // namespace
 
 void add_certify(py::module_& module) {
-    py::class_<Proof>(module, "Certificate", certificate_text)
+    certificate_class<Proof>(module, "Certificate", certificate_text)
         .def(py::init(&read), py::arg("file"), py::kw_only(), py::arg("jobs") = 1)
         .def(py::pickle([](const Proof& p) { return py::bytes(p.certificate); },
                         [](const py::bytes& text) { return api::read_proof(text.cast<std::string>()); }))
         .def_property_readonly(
             "ratio", [](const Proof& p) { return ratio_of(p.pieces.front().lo, p.pieces.back().hi); },
-            "the pair (lo, hi) of Fractions")
+            "the pair (lo, hi) of Fractions; of bodies that of their Q")
+        .def_readonly("scene", &Proof::scene, "'dumbbell', 'hybrid', 'wedge' or 'body'")
+        .def_property_readonly(
+            "rho",
+            [](const Proof& p) {
+                return p.rho_lo.empty() ? py::object(py::none()) : ratio_of(p.rho_lo, p.rho_hi);
+            },
+            "of bodies the pair (lo, hi) of Fractions; else None")
         .def_property_readonly("lower", &Proof::least, "N(q) is at least this, for every q")
         .def_property_readonly("upper", &Proof::most, "and at most this; None: a piece is open")
         .def_property_readonly("pieces", pieces_of, "(lo, hi, lower, upper) of each, in order")
-        .def_property_readonly("bytes", [](const Proof& p) { return py::bytes(p.certificate); })
-        .def_readonly("sha256", &Proof::sha256, "as the last line has it")
-        .def("verify", verify_proof, "Asks the independent verifier for all that the certificate says.",
-             py::kw_only(), py::arg("jobs") = 1)
         .def(
             "save", [](const Proof& p, const Path& path) { api::save(p, path.value); },
             "Writes the file (NAME.gz: compressed), whole or not at all.", py::arg("path"))
         .def("svg", static_cast<std::string (*)(const Proof&)>(api::picture),
              "The staircase of a range, with the source paper's bound; the orbit of a ratio.")
-        .def("_repr_svg_", picture_or_none<Proof>)
         .def(
             "__eq__", [](const Proof& a, const Proof& b) { return a.certificate == b.certificate; },
             py::is_operator())
-        .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); })
-        .def("__repr__", described);
-    add(module, "certify", certify, certify_text, "q");
-    add(module, "certify_many", certify_many, certify_many_text, "ratios");
+        .def("__hash__", [](const Proof& p) { return py::hash(py::str(p.sha256)); });
+    const auto none = [](const char* name) { return py::arg(name) = py::none(); };
+    add(module, "certify", certify, certify_text, none("q"), none("rho"), none("inertia"),
+        py::arg("coin") = false, none("rod_mass"));
+    add(module, "certify_many", certify_many, certify_many_text, py::arg("ratios"));
 }
 
 }  // namespace dumbbell::python

@@ -2,9 +2,12 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <concepts>
-#include <dumbbell/interval.hpp>
-#include <dumbbell/mass_ratio.hpp>
+#include <dumbbell/certify.hpp>
+#include <dumbbell/error.hpp>
+#include <dumbbell/verify.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,75 +17,90 @@
 /// What goes between Python and the library: numbers exactly, as text.
 namespace dumbbell::python {
 
-// What a function may be given: `how` is the function of _given.py that takes it, or raises InputError.
+/// A name as an argument of a template.
+template <std::size_t size>
+struct Text {
+    char letters[size];
+    consteval Text(const char (&text)[size]) { std::ranges::copy(text, letters); }
+};
 
-/// `9/2`, or of a pair `1:100`.
-struct Number {
-    static constexpr auto name = pybind11::detail::const_name("Ratio");
-    static constexpr const char* how = "number";
-    std::string value;
-};
-struct Numbers {
-    static constexpr auto name = pybind11::detail::const_name("Iterable[Ratio]");
-    static constexpr const char* how = "numbers";
-    std::vector<std::string> value;
-};
-struct Whole {
-    static constexpr auto name = pybind11::detail::const_name("int");
-    static constexpr const char* how = "whole";
-    long value;
+/// What a function may be given, which its signature calls `name`: the function `how` of _given.py takes it,
+/// or raises InputError.
+template <class T, Text how, Text name>
+struct Given {
+    T value;
 
     /// The nearest number of the type.
-    template <std::integral T>
-    operator T() const {
-        return std::in_range<T>(value) ? static_cast<T>(value)
-               : value < 0             ? std::numeric_limits<T>::min()
-                                       : std::numeric_limits<T>::max();
+    template <std::integral To>
+    requires std::integral<T>
+    operator To() const {
+        return std::in_range<To>(value) ? static_cast<To>(value)
+               : value < 0              ? std::numeric_limits<To>::min()
+                                        : std::numeric_limits<To>::max();
     }
 };
-struct Seconds {
-    static constexpr auto name = pybind11::detail::const_name("float");
-    static constexpr const char* how = "seconds";
-    double value;
-};
-struct Word {
-    static constexpr auto name = pybind11::detail::const_name("str");
-    static constexpr const char* how = "word";
-    std::string value;
-};
-/// The bytes of a name of a file.
-struct Path {
-    static constexpr auto name = pybind11::detail::const_name("Path");
-    static constexpr const char* how = "path";
-    std::string value;
-};
+using Number = Given<std::string, "number", "Ratio">;  ///< `9/2`, or of a pair `1:100`
+using Numbers = Given<std::vector<std::string>, "numbers", "Iterable[Ratio]">;
+using Whole = Given<long, "whole", "int">;
+using Seconds = Given<double, "seconds", "float">;
+using Truth = Given<bool, "truth", "bool">;
+using Path = Given<std::string, "path", "Path">;  ///< the bytes of a name of a file
 /// The bytes of a certificate, given as they are or by the name of their file.
-struct Content {
-    static constexpr auto name = pybind11::detail::const_name("Union[bytes, Path]");
-    static constexpr const char* how = "content";
-    std::string value;
-};
+using Content = Given<std::string, "content", "Union[bytes, Path]">;
 using Budget = std::optional<Seconds>;
 
-template <class T>
-concept Given = std::same_as<decltype(T::how), const char* const>;
+/// What the function of _given.py of that name makes of it.
+template <class T, class... Given>
+T taken(const char* how, const Given&... given) {
+    return pybind11::module_::import("dumbbell._given").attr(how)(given...).template cast<T>();
+}
 
-/// What text such as `9/2` or a decimal says, as Fraction, Decimal or int.
-[[nodiscard]] pybind11::object fraction(const std::string& text);
-[[nodiscard]] pybind11::object decimal(const std::string& text);
-[[nodiscard]] pybind11::object whole(const std::string& digits);
+/// The values of an enumeration that have a word in Python, in their order.
+template <class Value>
+inline constexpr std::array<const char*, 0> words{};
+template <>
+inline constexpr std::array words<api::Verdict>{"verified",   "rejected", "unsupported",
+                                                "unreadable", "limit",    "open"};
+static_assert(words<api::Verdict>.size() == std::size_t(api::Verdict::open) + 1);
+template <>
+inline constexpr std::array words<api::Scene>{"dumbbell", "hybrid", "wedge", "body"};
+static_assert(words<api::Scene>.size() == std::size_t(api::Scene::body) + 1);
+template <>
+inline constexpr std::array words<api::Section>{"turning", "full", "plain"};
+static_assert(words<api::Section>.size() == std::size_t(api::Section::plain) + 1);
+
+/// What text such as `9/2` or a decimal says, as Fraction or Decimal.
+inline pybind11::object fraction(const std::string& text) {
+    return pybind11::module_::import("fractions").attr("Fraction")(text);
+}
+inline pybind11::object decimal(const std::string& text) {
+    return pybind11::module_::import("decimal").attr("Decimal")(text);
+}
 
 }  // namespace dumbbell::python
 
 namespace pybind11::detail {
 
-template <dumbbell::python::Given T>
-class type_caster<T> {
-    PYBIND11_TYPE_CASTER(T, T::name);
+template <class T, dumbbell::python::Text how, dumbbell::python::Text name_of_it>
+class type_caster<dumbbell::python::Given<T, how, name_of_it>> {
+    using Taken = dumbbell::python::Given<T, how, name_of_it>;
+    PYBIND11_TYPE_CASTER(Taken, const_name(name_of_it.letters));
     bool load(handle given, bool) {
-        value.value =
-            module_::import("dumbbell._given").attr(T::how)(given).template cast<decltype(T::value)>();
+        value.value = dumbbell::python::taken<T>(how.letters, given);
         return true;
+    }
+};
+
+template <class Value>
+requires(!dumbbell::python::words<Value>.empty()) class type_caster<Value> {
+    PYBIND11_TYPE_CASTER(Value, const_name("str"));
+    bool load(handle given, bool) {
+        value =
+            static_cast<Value>(dumbbell::python::taken<int>("place", given, dumbbell::python::words<Value>));
+        return true;
+    }
+    static handle cast(Value value, return_value_policy, handle) {
+        return str(dumbbell::python::words<Value>.at(static_cast<std::size_t>(value))).release();
     }
 };
 

@@ -37,10 +37,7 @@ constexpr const char* mean_text =
 (1.2160067234249796, 1.2160067234249798)
 )";
 
-/// Also which claim it is.
-struct Starts : api::StartsProof {
-    std::string kind;
-};
+using Starts = api::StartsProof;
 
 py::list shares_of(const Starts& starts) {
     py::list shares;
@@ -55,32 +52,19 @@ py::tuple mean_of(const Starts& starts) {
     return py::make_tuple(fraction(starts.mean_lo), hi ? fraction(*hi) : py::object(py::none()));
 }
 
-api::Verification verify_starts(const Starts& starts, const Whole& jobs) {
-    return verify_itself(starts.certificate, {.ratio = "", .kind = starts.kind}, starts.least, starts.most,
-                         jobs);
-}
-
 Starts certify_starts(const Number& q, const Number& phi, const Number& phidot, const Number& y,
                       const Number& ydot, const Whole& boxes, const Whole& digits, const Whole& jobs,
                       const Budget& budget) {
     const api::MassRatio ratio(q.value);
     const api::InitialCondition box{phi.value, phidot.value, y.value, ydot.value};
-    auto options = within(api::StartsOptions{.boxes = boxes, .digits = digits, .jobs = jobs}, budget);
-    return {running([&](const api::Stopped& stopped) {
-                options.stopped = stopped;
-                return api::certify_starts(ratio, box, options);
-            }),
-            "initial-conditions"};
+    return running(api::StartsOptions{.boxes = boxes, .digits = digits, .jobs = jobs}, budget,
+                   [&](const auto& options) { return api::certify_starts(ratio, box, options); });
 }
 
 Starts certify_incoming(const Number& q, const Whole& boxes, const Whole& jobs, const Budget& budget) {
     const api::MassRatio ratio(q.value);
-    auto options = within(api::StartsOptions{.boxes = boxes, .jobs = jobs}, budget);
-    return {running([&](const api::Stopped& stopped) {
-                options.stopped = stopped;
-                return api::certify_incoming(ratio, options);
-            }),
-            "incoming"};
+    return running(api::StartsOptions{.boxes = boxes, .jobs = jobs}, budget,
+                   [&](const auto& options) { return api::certify_incoming(ratio, options); });
 }
 
 }  // namespace
@@ -89,32 +73,22 @@ void add_starts(py::module_& module) {
     using Share = api::StartsShare;
     py::class_<Share>(module, "_Share")
         .def(by_members<Share>(&Share::least, &Share::most, &Share::lo, &Share::hi));
-    py::class_<Starts>(module, "StartsCertificate", "A proof of how many starts have how many collisions.")
-        .def_property_readonly(
-            "lower", [](const Starts& s) { return s.least; }, "every start has at least this number")
-        .def_property_readonly(
-            "upper", [](const Starts& s) { return s.most; }, "and at most this; None: nothing is known")
+    certificate_class<Starts>(module, "StartsCertificate",
+                              "A proof of how many starts have how many collisions.")
+        .def_readonly("lower", &Starts::least, "every start has at least this number")
+        .def_readonly("upper", &Starts::most, "and at most this; None: nothing is known")
         .def_property_readonly(
             "shares", shares_of,
             "(k, k2, lo, hi): k to k2 collisions (None: no end) have a share from lo to hi")
         .def_property_readonly("mean", mean_of, "the pair (lo, hi) of bounds; hi is None if there is none")
         .def_property_readonly(
             "undecided", [](const Starts& s) { return fraction(s.undecided); }, "the share of the box")
-        .def_property_readonly("bytes", [](const Starts& s) { return py::bytes(s.certificate); })
-        .def_property_readonly("sha256", [](const Starts& s) { return s.sha256; })
-        .def("verify", verify_starts, "Asks the independent verifier for all that the certificate says.",
-             py::kw_only(), py::arg("jobs") = 1)
         .def(
             "svg", [](const Starts& s) { return api::picture(s); },
             "A map of the starts: exactly two quantities are intervals.")
-        .def("_repr_svg_", picture_or_none<Starts>)
         .def(by_members<Starts>(&Starts::least, &Starts::most, &Starts::shares, &Starts::undecided,
                                 &Starts::mean_lo, &Starts::mean_hi, &Starts::certificate, &Starts::sha256,
-                                &Starts::kind))
-        .def("__repr__", [](const Starts& s) {
-            return "<StartsCertificate: " + std::to_string(s.least) +
-                   (s.most ? " to " + std::to_string(*s.most) + " collisions>" : " collisions or more>");
-        });
+                                &Starts::demand));
     module.def("certify_starts", certify_starts, starts_text, py::arg("q"), py::kw_only(), py::arg("phi"),
                py::arg("phidot"), py::arg("y"), py::arg("ydot"), py::arg("boxes") = 50000,
                py::arg("digits") = 0, py::arg("jobs") = 1, py::arg("budget") = py::none());

@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <dumbbell/error.hpp>
 #include <dumbbell/verify.hpp>
-#include <limits>
 
 #include "python/exact.hpp"
 #include "python/module.hpp"
@@ -10,32 +6,6 @@
 #include "python/running.hpp"
 
 namespace py = pybind11;
-
-namespace {
-
-using dumbbell::api::Verdict;
-
-constexpr std::array<const char*, 6> names{"verified",   "rejected", "unsupported",
-                                           "unreadable", "limit",    "open"};
-static_assert(static_cast<std::size_t>(Verdict::open) == names.size() - 1);
-
-const char* name_of(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }
-
-}  // namespace
-
-/// A verdict is its name.
-template <>
-class py::detail::type_caster<Verdict> {
-    PYBIND11_TYPE_CASTER(Verdict, const_name("str"));
-    bool load(handle given, bool) {
-        const auto* const found = std::ranges::find(names, given.cast<std::string>());
-        value = static_cast<Verdict>(found - names.begin());
-        return found != names.end();
-    }
-    static handle cast(Verdict verdict, return_value_policy, handle) {
-        return str(name_of(verdict)).release();
-    }
-};
 
 namespace dumbbell::python {
 namespace {
@@ -49,39 +19,23 @@ constexpr const char* verify_text =
 The certificate is bytes, or the path of a file. The claim: for every mass ratio of `ratio` (None: those of the file) no
 trajectory has more than `most` collisions, and some trajectory has `least`; `exactly` is both. Without a bound any will
 do. `kind` is 'collisions', or another kind of claim ('law', 'incoming', ...); None: 'collisions', or of a call without a
-claim what the file is about. `budget`: seconds of a core, about, that it may cost; None: no limit.
+claim what the file is about. Whatever else dumbbell-verify can be asked has its name: `gap`, `gaps`, `heavy_at_most`,
+`scene`, `rho`, `inertia`, `coin`, `rod_mass`, `phi`, `decided`, `delta` and so on, as `dumbbell-verify --help` says;
+each is an exact number, a pair of them, or text. `budget`: seconds of a core, about, that it may cost; None: no limit.
 
 >>> ten = certify(10)
 >>> bool(verify(ten.bytes, ratio=10, exactly=4))
 True
 >>> verify(ten.bytes, ratio=10, exactly=3).verdict
 'rejected'
+>>> bool(verify(certify((1, 100)).bytes, ratio=(1, 100), most=10, gap='1e-6', gaps=8))
+True
 )";
 
-std::optional<std::uint64_t> bound(const std::optional<Whole>& n) {
-    if (n && (n->value < 0 || n->value == std::numeric_limits<long>::max())) {
-        throw api::InputError("exactly, most and least are numbers of collisions, from 0 to 2^63 - 2");
-    }
-    return n ? std::optional<std::uint64_t>(*n) : std::nullopt;
-}
-
-Verification verify(const py::object& certificate, const std::optional<Number>& ratio,
-                    const std::optional<Whole>& exactly, const std::optional<Whole>& most,
-                    const std::optional<Whole>& least, const std::optional<Word>& kind, const Whole& jobs,
-                    const Budget& budget) {
-    if (exactly && (most || least)) {
-        throw api::InputError("exactly stands for most and least: give either it or them");
-    }
-    if ((ratio && ratio->value.empty()) || (kind && kind->value.empty())) {
-        throw api::InputError("ratio and kind must not be empty; leave out what you do not claim");
-    }
-    const bool states = ratio || exactly || most || least;
-    const Claim claim{.ratio = ratio ? ratio->value : "",
-                      .most = bound(exactly ? exactly : most),
-                      .least = bound(exactly ? exactly : least),
-                      .kind = kind     ? kind->value
-                              : states ? "collisions"
-                                       : ""};
+Verification verify(const py::object& certificate, const Whole& jobs, const Budget& budget,
+                    const py::kwargs& claims) {
+    const auto demand = taken<std::string>("demand", claims);
+    const Claim claim{.kind = demand.empty() ? std::optional(std::string()) : std::nullopt, .demand = demand};
     PyObject* const given = certificate.ptr();
     const bool in_memory =
         PyBytes_Check(given) != 0 || PyByteArray_Check(given) != 0 || PyMemoryView_Check(given) != 0;
@@ -103,11 +57,9 @@ void add_verify(py::module_& module) {
         .def_readonly("sha256", &Verification::sha256, "of a verified certificate")
         .def("__bool__", [](const Verification& v) { return static_cast<bool>(v); })
         .def("__repr__", [](const Verification& v) {
-            return "<Verification " + std::string(name_of(v.verdict)) + ": " + v.text + ">";
+            return "<Verification " + py::cast(v.verdict).cast<std::string>() + ": " + v.text + ">";
         });
-    module.def("verify", verify, verify_text, py::arg("certificate"), py::kw_only(),
-               py::arg("ratio") = py::none(), py::arg("exactly") = py::none(), py::arg("most") = py::none(),
-               py::arg("least") = py::none(), py::arg("kind") = py::none(), py::arg("jobs") = 1,
+    module.def("verify", verify, verify_text, py::arg("certificate"), py::kw_only(), py::arg("jobs") = 1,
                py::arg("budget") = 30);
 }
 

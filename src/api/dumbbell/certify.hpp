@@ -16,6 +16,9 @@
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
+/// The dumbbell, a model wedge of the source paper, or a rigid body.
+enum class Scene { dumbbell, hybrid, wedge, body };
+
 /// What a certificate covers: the turning collisions and the contacts with the bridge, or all collision
 /// states (`plain`: without monotonicity), up to ratios of about 1000. N(q) is the same.
 enum class Section { turning, full, plain };
@@ -24,13 +27,26 @@ struct CertifyOptions {
     std::string gap = "1e-6";  ///< ranges: relative width of the gap around a critical ratio, 1e-300 to 0.01
     int jobs = 1;              ///< threads, 1 to 1024; the result does not depend on it
     std::optional<std::chrono::duration<double>> budget =
-        std::nullopt;  ///< what is not decided by then is left open
-    Section section = Section::turning;
+        std::nullopt;                    ///< what is not decided by then is left open
+    Section section = Section::turning;  ///< of the dumbbell; others have their own
     Stopped stopped = {};
+    Scene scene = Scene::dumbbell;  ///< of a mass ratio
 };
 
-/// For every mass ratio q of [lo, hi] (fractions, as MassRatio::lo()): least <= N(q) and, if given, N(q) <=
-/// most. Both are equal, or differ by one in a gap around a critical ratio, or the piece is open: no `most`.
+/// Rigid bodies that move in a plane, with mass between their two contacts (proofs/body.md): rho = d2/d1 of
+/// the distances of the contacts from the centre of mass, and inertia Q = (d1/k)^2, k the radius of gyration;
+/// each a number as written, or LO:HI. A thin coin is {"1", "4"}, a uniform rod {"1", "3"}.
+struct Body {
+    std::string rho;
+    std::string inertia;
+};
+
+/// The dumbbell whose uniform rod has `mass` times the mass of both ends. Throws InputError for a range.
+[[nodiscard]] [[gnu::visibility("default")]] Body body_of_rod(const MassRatio& ends, std::string_view mass);
+
+/// For every mass ratio q of [lo, hi] (fractions, as MassRatio::lo(); of bodies their Q): least <= N(q) and,
+/// if given, N(q) <= most. Both are equal, or differ by one in a gap around a critical ratio, or the piece is
+/// open: no `most`.
 struct Piece {
     std::string lo;
     std::string hi;
@@ -42,6 +58,9 @@ struct Proof {
     std::vector<Piece> pieces;  ///< in order, each begins where the one before ends
     std::string certificate;    ///< the text of the file that proves them (format.md)
     std::string sha256;         ///< its last line's: of the text before it
+    std::string demand;         ///< all that it says, as Claim::demand of dumbbell/verify.hpp
+    Scene scene = Scene::dumbbell;
+    std::string rho_lo, rho_hi;  ///< of bodies: fractions; else empty
 
     /// Whether no piece is open.
     [[nodiscard]] bool complete() const {
@@ -60,11 +79,16 @@ struct Proof {
 [[nodiscard]] [[gnu::visibility("default")]] Proof certify(const MassRatio& ratio,
                                                            const CertifyOptions& options = {});
 
+/// The same for a body, or for all bodies of a rectangle. Throws InputError, too, where none has its mass
+/// between its contacts, and for the section full.
+[[nodiscard]] [[gnu::visibility("default")]] Proof certify(const Body& body,
+                                                           const CertifyOptions& options = {});
+
 /// The same for each of many, in their order: `jobs` threads share them out.
 [[nodiscard]] [[gnu::visibility("default")]] std::vector<Proof> certify_many(
     std::span<const MassRatio> ratios, const CertifyOptions& options = {});
 
-/// What a certificate's text (plain or gzip-compressed) says of N(q), to be drawn or saved: it is not
+/// What a certificate's text (plain or gzip-compressed) says of the maximum, to be drawn or saved: it is not
 /// verified. Throws InputError if it is damaged, or about something else.
 [[nodiscard]] [[gnu::visibility("default")]] Proof read_proof(std::string_view text);
 

@@ -41,6 +41,7 @@ struct StartsProof {
     std::optional<std::string> mean_hi;  ///< empty: none is proved
     std::string certificate;
     std::string sha256;
+    std::string demand;  ///< of the numbers of collisions all that it says, as Claim::demand
 };
 
 /// Halves a box of starts until every part has its exact number of collisions, or there are enough parts.

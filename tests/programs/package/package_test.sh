@@ -83,6 +83,11 @@ expect "a missing certificate fails" has "$out" "s UNREADABLE No such file or di
 configure 'dumbbell_add_proof_check(both q-10.dbc stairs-1-100.dbc RATIO 10 EXACTLY 4 SCENE dumbbell)'
 check
 expect "several certificates in one test" has "$out" "100% tests passed, 0 tests failed out of 1"
+configure "dumbbell_add_proof_check(gap stairs-1-100.dbc RATIO 1:100 MAX 10 GAP 1e-6 GAPS 8)" \
+    "dumbbell_add_proof_check(coin $root/certificates/coin.dbc COIN EXACTLY 4 TIMEOUT 60)" \
+    "dumbbell_add_proof_check(rod RATIO 10 ROD_MASS 1/100 EXACTLY 5 $root/certificates/rod-10.dbc.gz)"
+check
+expect "any demand of the verifier" has "$out" "100% tests passed, 0 tests failed out of 3"
 configure 'dumbbell_add_proof_check(both q-10.dbc stairs-1-100.dbc RATIO 11 MAX 4)'
 check
 expect "one of several is for another ratio: rejected" has "$out" "c files=2 verified=1 rejected=1"
@@ -96,21 +101,27 @@ refused() { # refused ARGUMENTS MESSAGE
 refused 'ten RATIO 10 MAX 4' 'no certificate'
 refused 'ten "" RATIO 10 MAX 4' 'no certificate'
 refused 'ten q-10.dbc "" RATIO 10 MAX 4' '`` is neither a certificate'
-refused 'ten q-10.dbc MAX 4' 'no RATIO'
-refused 'ten q-10.dbc RATIO 10' 'no claim: give MAX, MIN or EXACTLY'
-refused 'ten q-10.dbc RATIO 10 MAX' 'no value after MAX'
-refused 'ten q-10.dbc RATIO 10 MIN 2 MAX ""' 'no value after MAX'
-refused 'ten q-10.dbc RATIO 10 MAX 4 MAX 5' 'MAX is given twice'
-refused 'ten q-10.dbc RATIO 10 MAX 4x' 'MAX cannot be `4x`'
-refused 'ten q-10.dbc RATIO ten MAX 4' 'RATIO cannot be `ten`'
-refused 'ten q-10.dbc RATIO 10 EXACTLY 4 MAX 5' 'EXACTLY n is MAX n and MIN n'
-refused 'ten q-10.dbc RATIO 10 MAX 4 SCENE flat' 'SCENE cannot be `flat`'
+refused 'ten q-10.dbc MAX 4' 'the claim needs --ratio or a body'
+refused 'ten q-10.dbc RATIO 10' 'and --max, --min, --exactly or --decided'
+refused 'ten q-10.dbc' 'no claim: say what they prove'
+refused 'ten q-10.dbc RATIO 10 MAX' 'no value after --max'
+refused 'ten q-10.dbc RATIO 10 MIN 2 MAX ""' 'no value after --max'
+refused 'ten q-10.dbc RATIO 10 MAX 4 MAX 5' '--max is given twice'
+refused 'ten q-10.dbc RATIO 10 MAX 4x' 'not `4x`'
+refused 'ten q-10.dbc RATIO ten MAX 4' 'not a positive ratio: `ten`'
+refused 'ten q-10.dbc RATIO 10 EXACTLY 4 MAX 5' '--exactly N is --max N and --min N'
+refused 'ten q-10.dbc RATIO 10 MAX 4 SCENE flat' 'not `flat`'
 refused 'ten q-10.dbc RATIO 10 MAX 4 TIMEOUT 0' 'TIMEOUT cannot be `0`'
-refused 'ten q-10.dbc RATIO 10 MAXIMUM 4' '`MAXIMUM` is neither a certificate (.dbc or .dbc.gz) nor a word'
+refused 'ten q-10.dbc RATIO 10 MAX 4 TIMEOUT 1 TIMEOUT 2' 'TIMEOUT is given twice'
+refused 'ten q-10.dbc RATIO 10 MAXIMUM 4' '`--maximum` states no claim'
+refused 'ten q-10.dbc RATIO 10 MAX 4 HELP' '`--help` states no claim'
+refused 'ten q-10.dbc RATIO 10 MAX 4 5' '`5` is neither a certificate (.dbc or .dbc.gz) nor the value'
+refused 'ten q-10.dbc RATIO 10 MAX "4\tmore"' 'has a tab'
 refused 'ten other.dbc RATIO 10 MAX 4' 'there is no file'
 refused 'NAME q-10.dbc RATIO 10 MAX 4' 'the first argument is the name itself'
 refused 'list CLAIMS none.tsv' 'there is no file'
-refused 'list CLAIMS claims.tsv RATIO 10' 'CLAIMS and RATIO exclude each other'
+refused 'list CLAIMS claims.tsv RATIO 10' 'CLAIMS names the certificates and the claims'
+refused 'list CLAIMS' 'no value after CLAIMS'
 refused 'list q-10.dbc CLAIMS claims.tsv' 'CLAIMS names the certificates'
 
 configure 'dumbbell_add_proof_check(list CLAIMS claims.tsv)'

@@ -33,11 +33,12 @@ const quiet = (tab, file = page) => {
     assert.deepEqual(tab.complaints, []);
     assert.deepEqual(tab.requests.filter((url) => !url.startsWith("blob:")), [`file://${file}`]);
 };
-async function claim(tab, ratio, bound, count) {
+async function claim(tab, bound, values) {
     await tab.getByLabel("this claim:").check();
-    await tab.locator("#ratio").fill(ratio);
     await tab.getByLabel("the greatest number of collisions is").selectOption(bound);
-    await tab.locator("#count").fill(count);
+    for (const [id, value] of Object.entries(values)) {
+        await tab.locator(`#${id}`).fill(value);
+    }
     await tab.getByRole("button", { name: "Verify" }).click();
 }
 
@@ -58,16 +59,31 @@ test("files of every kind say what they prove, with the program's verdict", asyn
 test("a claim is stated in the form, and a file that proves less is rejected", async () => {
     const tab = await open(browser, page);
     await answers(tab, [shipped("stairs-1-100.dbc")]);
-    for (const [ratio, bound, count, verdict] of [
-        ["5:30", "at most", "6", "Verified here"],
-        ["10", "exactly", "4", "Verified here"],
-        ["1:100", "at most", "9", "Rejected"],
-        ["1:200", "at most", "20", "Rejected"],
-        ["ten", "at most", "4", "The claim cannot be read"],
+    for (const [bound, values, verdict] of [
+        ["at most", { ratio: "5:30", count: "6" }, "Verified here"],
+        ["exactly", { ratio: "10", count: "4" }, "Verified here"],
+        ["at most", { ratio: "1:100", count: "9" }, "Rejected"],
+        ["at most", { ratio: "1:200", count: "20" }, "Rejected"],
+        ["at most", { ratio: "ten", count: "4" }, "The claim cannot be read"],
+        ["at most", { ratio: "1:100", count: "10", more: "--min 2  --gap 1e-6 --gaps 8" }, "Verified here"],
+        ["at most", { more: "--gap 1e-9" }, "Rejected"],
+        ["at most", { more: "--claim law" }, "The claim cannot be read"],
+        ["at most", { more: "--jobs 2" }, "The claim cannot be read"],
     ]) {
-        await claim(tab, ratio, bound, count);
+        await claim(tab, bound, values);
         const [text] = await (await ended(tab, 1)).allTextContents();
-        assert.ok(text.startsWith(verdict), `${ratio} ${bound} ${count}: ${text}`);
+        assert.ok(text.startsWith(verdict), `${bound} ${JSON.stringify(values)}: ${text}`);
+    }
+    await tab.locator("#count").fill(""); // an edited claim has no verdict, and one without a number is none
+    assert.equal(await tab.locator(".outcome").count(), 0);
+    await claim(tab, "exactly", { more: "" });
+    assert.match(await tab.getByRole("alert").textContent(), /has no number/);
+    await tab.getByLabel("Of", { exact: true }).selectOption("a rigid body");
+    assert.equal(await tab.locator(".outcome, [role=alert]").count(), 0);
+    await tab.locator("#files").setInputFiles([shipped("coin.dbc")]);
+    for (const [inertia, verdict] of [["4", "Verified here"], ["3:4", "Rejected"]]) {
+        await claim(tab, "exactly", { inertia, rho: "1", count: "4" });
+        assert.ok((await (await ended(tab, 1)).allTextContents())[0].startsWith(verdict), inertia);
     }
     quiet(tab);
     await tab.close();
@@ -137,7 +153,7 @@ for (const width of [390, 1280]) {
         await answers(tab, [shipped("q-10.dbc"), lie("less-deep-10.dbc")]);
         await tab.getByLabel("this claim:").focus();
         await tab.keyboard.press("Space");
-        await tab.locator("#ratio").fill("10");
+        await tab.locator("#count").fill("4");
         await tab.keyboard.press("Enter");
         await ended(tab, 2);
         await tab.evaluate(axe);

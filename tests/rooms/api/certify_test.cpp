@@ -24,6 +24,7 @@ TEST_CASE("A range: pieces that follow one another, whatever the number of threa
     const Proof proof = certify(MassRatio("1:100"), {.jobs = 2});
     CHECK(proof.certificate == contents(DUMBBELL_CERTIFICATES "/stairs-1-100.dbc"));
     CHECK(proof.complete());
+    CHECK((proof.least() == 2 && proof.most() == 10));
     REQUIRE(!proof.pieces.empty());
     CHECK(proof.pieces.front().lo == "1/1");
     CHECK(proof.pieces.back().hi == "100/1");
@@ -66,19 +67,22 @@ TEST_CASE("Many ratios: each has the proof that it has alone") {
     CHECK_THROWS_AS(certify_many(ratios, {.jobs = 0}), InputError);
 }
 
-TEST_CASE("Bounds of a range are those of all its pieces") {
-    const Proof proof = certify(MassRatio("1:100"));
-    CHECK(proof.least() == 2);
-    CHECK(proof.most() == 10);
+TEST_CASE("A proof says which system it is about, again when it is read") {
+    for (const Proof& coin :
+         {certify(Body{"1", "4"}), read_proof(contents(DUMBBELL_CERTIFICATES "/coin.dbc"))}) {
+        CHECK((coin.scene == Scene::body && coin.rho_lo == "1/1" && coin.demand == "--coin --exactly 4"));
+    }
+    CHECK(certify(MassRatio("9"), {.scene = Scene::wedge}).scene == Scene::wedge);
+    CHECK(certify(Body{"1/2:1", "4"}, {.budget = std::chrono::seconds(0)}).rho_hi == "1/1");
 }
 
-TEST_CASE("All collision states may be covered, with the same maximum") {
-    const Proof full = certify(MassRatio("10"), {.section = Section::full});
-    CHECK(full.most() == 4);
-    CHECK(full.least() == 4);
-    CHECK_THAT(full.certificate, Contains("section full\n"));
-    CHECK_THAT(certify(MassRatio("2"), {.section = Section::plain}).certificate,
-               Contains("lemmas minimal\n"));
+TEST_CASE("What is no system is refused") {
+    for (const Body& body :
+         {Body{"2", "3"}, Body{"", "4"}, Body{"1", "5:4"}, Body{"1", "1." + std::string(2100, '7')}}) {
+        CHECK_THROWS_AS(certify(body), InputError);
+    }
+    CHECK_THROWS_AS(certify(Body{"1", "4"}, {.section = Section::full}), InputError);
+    CHECK_THROWS_AS(certify(MassRatio("10"), {.scene = Scene::body}), InputError);
 }
 
 TEST_CASE("Who has enough gets what is decided, and nobody else is stopped") {

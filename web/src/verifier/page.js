@@ -11,30 +11,40 @@ const bounds = [["--max", "at most"], ["--min", "at least"], ["--exactly", "exac
 const scenes = [["dumbbell", "the dumbbell"], ["hybrid", "the hybrid wedge"], ["wedge", "the straight wedge"], ["body", "a rigid body"]];
 const budgets = [["30s", "30 s"], ["10m", "10 min"], ["2h", "2 h"]];
 
-const field = (id, label, hint, size) => h("span", { class: "labelled" }, h("label", { for: id }, label), h("input", { type: "text", id, size, placeholder: hint, autocomplete: "off", spellcheck: "false", oninput: () => (own.checked = true) }));
-const input = (id) => document.getElementById(id).value.trim();
-const radio = (value, text, isChecked) => h("label", { class: "labelled" }, h("input", { type: "radio", name: "claim", value, checked: isChecked, onchange: showClaim }), h("span", {}, text));
+/// The value of the option --ID.
+const field = (id, label, hint, size) => h("span", { class: "labelled" }, h("label", { for: id }, label), h("input", { type: "text", id, size, placeholder: hint, autocomplete: "off", spellcheck: "false" }));
+const value = (element) => element.lastChild.value.trim();
+const radio = (value, text, isChecked) => h("label", { class: "labelled" }, h("input", { type: "radio", name: "claim", value, checked: isChecked }), h("span", {}, text));
 
 const bound = select(bounds, "--max", () => {});
-const scene = select(scenes, "dumbbell", showClaim);
+const scene = select(scenes, "dumbbell", () => {});
 const budget = select(budgets, "30s", () => {});
 const theirs = radio("file", "what the file itself claims", true);
 const mine = radio("own", "this claim:", false);
 const own = mine.firstChild;
-const rho = field("rho", "with rho", "1", 8);
+const massless = [field("ratio", "at mass ratio (or LO:HI)", "10, 1:100, 4/3", 12)];
+const bodies = [field("inertia", "with Q (or LO:HI)", "4", 8), field("rho", "and rho", "1", 8)];
+const count = field("count", "N =", "4", 8), more = field("more", "and", "--gap 1e-6 --gaps 8", 20);
 const claim = h(
     "p",
     { class: "controls" },
     labelled("Of", scene),
-    field("ratio", "at mass ratio (or LO:HI)", "10, 1:100, 4/3", 12),
-    rho,
+    massless,
+    bodies,
     labelled("the greatest number of collisions is", bound),
-    field("count", "N =", "4", 8),
+    count,
+    more,
 );
 
-function showClaim() {
-    rho.hidden = scene.value !== "body";
+const system = () => (scene.value === "body" ? bodies : massless);
+
+/// A verdict is about the claim that was judged: an edited one has none yet.
+function edited() {
+    for (const element of [...massless, ...bodies]) {
+        element.hidden = !system().includes(element);
+    }
     claim.hidden = !own.checked;
+    show();
 }
 
 /// The claim as options of dumbbell-verify.
@@ -43,15 +53,22 @@ function words() {
     if (!own.checked) {
         return cost;
     }
-    const given = [["--ratio", input("ratio")], [bound.value, input("count")], ["--rho", scene.value === "body" ? input("rho") : ""]];
-    return [...cost, "--scene", scene.value, ...given.filter(([, value]) => value !== "").flat()];
+    const given = [...system().map((element) => [`--${element.lastChild.id}`, value(element)]), [bound.value, value(count)]];
+    return [...cost, "--scene", scene.value, ...given.filter(([, text]) => text !== "").flat(), ...value(more).split(/\s+/).filter(Boolean)];
+}
+
+function show(...elements) {
+    stopAll();
+    results.hidden = elements.length === 0;
+    results.replaceChildren(...elements);
 }
 
 function verifyAll() {
-    stopAll();
+    if (own.checked && value(count) + value(more) === "") {
+        return show(h("p", { role: "alert" }, "Your claim has no number: give N, or what else must be proved."));
+    }
     const options = words();
-    results.hidden = files.length === 0;
-    results.replaceChildren(...files.map((file) => h("article", {}, h("h2", {}, file.name), verified(file, options))));
+    show(...files.map((file) => h("article", {}, h("h2", {}, file.name), verified(file, options))));
 }
 
 function stopAll() {
@@ -94,7 +111,7 @@ document.getElementById("page").replaceChildren(
     ),
     h(
         "form",
-        { class: "verify", onsubmit: (event) => (event.preventDefault(), verifyAll()) },
+        { class: "verify", oninput: edited, onsubmit: (event) => (event.preventDefault(), verifyAll()) },
         h("p", { class: "chooser" }, h("label", { for: "files" }, "Certificates "), chooser),
         h("fieldset", {}, h("legend", {}, "To be proved"), h("p", { class: "controls" }, theirs, mine), claim),
         h("p", { class: "controls" }, labelled("Give up on a file that asks for more work than", budget), h("button", { type: "submit" }, "Verify")),
@@ -103,7 +120,7 @@ document.getElementById("page").replaceChildren(
     results,
     h("footer", {}, `dumbbell ${version}. A verdict rests on the source of the verifier, which is that of the program dumbbell-verify, on clang and emscripten, and on this browser. ${licences}`),
 );
-showClaim();
+edited();
 watchTheme();
 watchDrops();
 document.documentElement.dataset.drawn = "1";
