@@ -4,12 +4,12 @@
 
 #include "adiabatic/writer.hpp"
 #include "base/named.hpp"
+#include "file/limits.hpp"
 #include "file/lines.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr int most_bits = 4096;
 constexpr long most_classes = 64;
 constexpr long most_cells = 4096;
 
@@ -107,7 +107,7 @@ Certificate read_certificate(const NamedFile& file) {
     Certificate certificate = head_from(lines);
     const bool is_bounce = certificate.hypotheses.claim == Claim::bounce;
     certificate.bits =
-        static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), static_cast<long>(most_bits)));
+        static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), long{most_file_bits}));
     const auto& bound = lines.expect("bound", is_bounce ? 3 : 2);
     for (std::size_t i = 1; i < bound.size(); ++i) {
         certificate.bounds.push_back(lines.signed_ratio(bound[i]));

@@ -7,6 +7,7 @@
 #include "api/exact_ratio.hpp"
 #include "api/start.hpp"
 #include "api/translate.hpp"
+#include "file/limits.hpp"
 #include "starts/answer/mean.hpp"
 #include "starts/answer/shares.hpp"
 #include "starts/answer/trace.hpp"
@@ -19,7 +20,6 @@ inline namespace DUMBBELL_ABI {
 namespace {
 
 /// Of a certificate, and of the bounds of an irrational angle in it: no line is too long for a verifier.
-constexpr int most_bits = 4096, most_angle_bits = 3000;
 
 void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
     for (const starts::ShareBounds& share : share_bounds(tree)) {
@@ -31,11 +31,11 @@ void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
 }
 
 StartsProof proof_of(const starts::Box& box, bool incoming, const StartsOptions& options) {
-    const int bits = incoming ? double_bits : std::min(starts::working_bits(options.digits), most_bits);
+    const int bits = incoming ? double_bits : std::min(starts::working_bits(options.digits), most_file_bits);
     const CallerStops stops(options.stopped);
     const starts::Subdivision parts = subdivide(
         box,
-        starts::SubdivideOptions{.max_boxes = checked<std::size_t>("boxes", options.boxes, 1, 10'000'000),
+        starts::SubdivideOptions{.max_boxes = checked<std::size_t>("boxes", options.boxes, 1, most_parts),
                                  .jobs = checked_jobs(options.jobs),
                                  .incoming = incoming,
                                  .bits = bits,

@@ -119,11 +119,10 @@ std::vector<const Piece*> pieces_of(const Certificate& certificate) {
 
 std::string options_of(const Claim& claim) {
     const SectionRow &row = row_of(claim.system.section), &usual = row_of(Section());
-    const bool says_gap = claim.gap != 0 && claim.gap != Claim{}.gap;
     return (claim.system.rho || row.scene == usual.scene ? "" : fmt::format(" --scene {}", row.scene)) +
            (claim.system.rho || row.section == usual.section ? ""
                                                              : fmt::format(" --section {}", row.section)) +
-           (says_gap ? " --gap " + exact_text(claim.gap) : "");
+           (claim.gap == 0 ? "" : " --gap " + exact_text(claim.gap));
 }
 
 std::string command(const Claim& claim) {

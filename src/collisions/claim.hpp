@@ -32,10 +32,10 @@ struct Claim {
 [[nodiscard]] Claim claim_of(const Certificate& certificate);
 [[nodiscard]] std::vector<const Piece*> pieces_of(const Certificate& certificate);
 
-/// ` --scene wedge --gap 1e-9`: what a command needs besides what moves; nothing of the usual ones.
+/// ` --scene wedge --gap 1e-9`: what a command needs besides what moves.
 [[nodiscard]] std::string options_of(const Claim& claim);
 
-/// `dumbbell certify 1:100 --section full`: what makes a certificate of the claim, but for --out.
+/// `dumbbell certify 1:100 --section full --gap 1e-6`: what makes a certificate of the claim, but for --out.
 [[nodiscard]] std::string command(const Claim& claim);
 
 /// All that these pieces of the claim say, as options of the verifier: a file that says less in any respect

@@ -110,7 +110,7 @@ Obstacle attempt_piece(ProvedPiece& proved, int bits, const Goal& goal, const Pi
     const bool is_close = row.bits_to_verify > 0 && upper < flight::macro::least_with_few_bits;
     const bool is_double = bits == double_bits && !options.system.rho;
     const int bits_of_file = is_double ? double_bits : is_close ? bits + row.bits_to_verify : 2 * bits;
-    if (bits_of_file > most_bits) {
+    if (bits_of_file > most_file_bits) {
         return Obstacle::maximum;
     }
     piece.bits = bits_of_file;

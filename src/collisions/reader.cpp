@@ -69,7 +69,7 @@ Piece piece_from(Lines& lines, std::span<const Chart> charts) {
     const auto& range = lines.expect("piece", 3);
     piece.q_lo = lines.ratio(range[1]);
     piece.q_hi = lines.ratio(range[2]);
-    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), long{most_bits}));
+    piece.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), long{most_file_bits}));
     const std::string upper = lines.expect("upper", 2)[1];
     if (upper != "none") {
         piece.upper = lines.count(upper);

@@ -53,7 +53,7 @@ struct SectionRow {
     /// The bits that the verifier needs beyond those that sufficed here; 0: twice as many are needed.
     int bits_to_verify = 32;
     /// The limits of a piece: its precision, and the nodes of a tree.
-    int max_bits = most_bits - 32;
+    int max_bits = most_file_bits - 32;
     std::size_t max_nodes = 20'000;
     std::span<const Chart> charts;  ///< in the order of the file
     long exact_step = 1;            ///< a ratio at which the maximum is known to step

@@ -20,9 +20,9 @@ std::optional<Claim> claim_in(const std::string& file) try {
 Certificate verified_certificate(const std::string& file, int jobs) {
     const std::string_view scene = row_of(read_head(file).system.section).scene;
     // A user who waits for it can stop it; a budget would only be in the way.
-    const Verdict verdict =
-        ask_verifier({fmt::format("--jobs={}", jobs), "--quiet", "--budget=99999h",
-                      fmt::format("--max-bits={}", most_bits), fmt::format("--scene={}", scene), "--", file});
+    const Verdict verdict = ask_verifier({fmt::format("--jobs={}", jobs), "--quiet", "--budget=99999h",
+                                          fmt::format("--max-bits={}", most_file_bits),
+                                          fmt::format("--scene={}", scene), "--", file});
     if (!verdict.accepts) {
         throw InputError(fmt::format("'{}' is not verified: {}", file, verdict.line));
     }

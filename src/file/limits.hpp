@@ -6,7 +6,7 @@
 namespace dumbbell {
 
 /// Of a piece, or of a cover: the precision that the verifier may need.
-inline constexpr int most_bits = 4096;
+inline constexpr int most_file_bits = 4096;
 
 /// Of the angles of a start.
 inline constexpr int most_angle_bits = 3000;

@@ -188,9 +188,9 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
 }
 
 /// " = 1", " from 1/2 to 3/4".
-std::string text_of(const collisions::Range& rho) {
-    return rho.is_single() ? " = " + exact_text(rho.lo)
-                           : fmt::format(" from {} to {}", exact_text(rho.lo), exact_text(rho.hi));
+std::string text_of(const collisions::Range& ends) {
+    return ends.is_single() ? " = " + exact_text(ends.lo)
+                            : fmt::format(" from {} to {}", exact_text(ends.lo), exact_text(ends.hi));
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.

@@ -15,6 +15,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "file/limits.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/answer/trace_report.hpp"
 #include "starts/answer/writer.hpp"
@@ -26,8 +27,6 @@
 namespace dumbbell::cli {
 
 namespace {
-
-constexpr int most_subdivide_bits = 4096;  ///< of a certificate
 
 constexpr const char* trace_description =
     R"(Follow one initial condition, or a box of them, through all its collisions.
@@ -95,7 +94,7 @@ constexpr std::array start_options{
          "with --subdivide: how likely each number of collisions is, as proved bounds of its share")
         .needs("--subdivide"),
     Option{"--max-boxes", "N", "with --subdivide: at most this many parts", "50000"}
-        .from(1, 10'000'000)
+        .from(1, most_parts)
         .needs("--subdivide"),
     Option{"--budget", "TIME", "with --subdivide: stop halving after this time: 30s, 10m, 2h"}.needs(
         "--subdivide"),
@@ -112,9 +111,8 @@ constexpr auto trace_options = joined(start_options, body_options);
 
 /// Bits of the bounds of an irrational angle: with --subdivide no more than a line of a certificate holds.
 int bits_of_angle(const Given& given, int digits) {
-    constexpr int most_in_certificate = 3000;
     const int bits = starts::bits_of_bounds(digits);
-    return given.has("--subdivide") ? std::min(bits, most_in_certificate) : bits;
+    return given.has("--subdivide") ? std::min(bits, most_angle_bits) : bits;
 }
 
 /// What a verifier takes for too long is not worth any work.
@@ -223,7 +221,7 @@ void halve(starts::TraceReport& report, const Given& given, int jobs, Verbosity 
                   starts::SubdivideOptions{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
                                            .jobs = jobs,
                                            .incoming = report.incoming,
-                                           .bits = std::min(report.trace.bits, most_subdivide_bits),
+                                           .bits = std::min(report.trace.bits, most_file_bits),
                                            .interrupted = interrupted,
                                            .observer = &progress});
     if (report.incoming) {

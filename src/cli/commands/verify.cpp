@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "file/limits.hpp"
 #include "file/verifier_program.hpp"
 
 namespace dumbbell::cli {
@@ -54,7 +55,8 @@ std::string accepted(const std::string& file, const std::string& demand, Observe
     (void)stoppable([&] {
         try {
             // A user who waits for it can stop it; a budget would only be in the way.
-            verdict = ask_verifier({"--quiet", "--budget=99999h", "--max-bits=4096", demand, "--", file});
+            verdict = ask_verifier({"--quiet", "--budget=99999h",
+                                    fmt::format("--max-bits={}", most_file_bits), demand, "--", file});
         } catch (const NoVerdict&) {
             if (stop_signal == 0) {
                 throw;

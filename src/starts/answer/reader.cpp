@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "file/limits.hpp"
 #include "file/lines.hpp"
 #include "starts/cover/incoming.hpp"
 
@@ -65,7 +66,8 @@ Certificate read_certificate(const NamedFile& file) {
         }
         certificate.box = incoming_box(certificate.box.lo[4]);
     }
-    certificate.bits = static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), 4096L));
+    certificate.bits =
+        static_cast<int>(std::min(lines.number(lines.expect("bits", 2)[1]), long{most_file_bits}));
     lines.expect("between", 3);
     for (long missing = 1; missing > 0;) {
         const auto& fields = lines.next();

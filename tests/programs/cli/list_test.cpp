@@ -42,7 +42,7 @@ Json without(Json json, const Words& fields) {
 
 const std::string not_complete =
     "NOT COMPLETE: lines of the list have no claim here; the same command goes on (dumbbell " DUMBBELL_VERSION
-    " certify --list)\n";
+    " certify --list --gap 1e-6)\n";
 
 const Words falling_start{"--phi", "1/3", "--phidot", "1", "--y", "3", "--ydot", "-1/2"};
 

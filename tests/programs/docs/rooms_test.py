@@ -1,5 +1,5 @@
 """rooms_test.py: src/README.md says which room may use which; the includes say the same, every file opens its room's
-namespace and no other, and no two types of one name meet in a program. Of the tests one header alone knows Catch2, which
+namespace and no other, and no two types of one name meet in a program. No function takes a claim in parts. Of the tests one header alone knows Catch2, which
 is of version 2 or 3."""
 
 import collections
@@ -12,6 +12,9 @@ TESTS = SRC.parent / "tests"
 ROW = re.compile(r"\| `([a-z_/]+)` \| [^|]+ \| ([^|]*)\|")
 GROUND = re.compile(r"The ground \(([^)]*)\) is `namespace dumbbell`")
 INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
+# A parameter that is a part of a claim (collisions/claim.hpp): a section, a scene, or a range of rho.
+LOOSE = re.compile(r"[(,]\s*(?:const )?(?:[\w:]+::)?(?:(?:Section|Scene)&? \w+|Range& rho|[\w:<>]+&? (?:scene|section))\s*[,)]")
+MAY_BE_LOOSE = re.compile(r"collisions/(?:claim|section|sections/\w+)\.|python/certify\.cpp")  # the latter: keywords
 NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
 TOKEN = re.compile(
     r"namespace(?P<space>(?:\s+[\w:]+)?)\s*\{"
@@ -78,6 +81,8 @@ def main():
             owners = [owner for owner in spaces.values() if space == owner or space.startswith(owner + "::")]
             if max(owners, key=len, default=None) != spaces[room]:
                 faults.append(f"{path} opens namespace {space}: the room's is {spaces[room]}")
+        if room in ("collisions", "cli", "api", "page", "python") and not MAY_BE_LOOSE.match(path):
+            faults += [f"{path} takes a part of a claim loose: {found}" for found in LOOSE.findall(NOISE.sub(" ", text))]
         for name in types(text):
             defined[name].add(path)
         for include in INCLUDE.findall(text):
