@@ -19,8 +19,6 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-/// Of a certificate, and of the bounds of an irrational angle in it: no line is too long for a verifier.
-
 void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
     for (const starts::ShareBounds& share : share_bounds(tree)) {
         proof.shares.push_back({share.least, share.most, to_fraction(share.lo), to_fraction(share.hi)});

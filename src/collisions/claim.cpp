@@ -82,16 +82,17 @@ Range parse_ends(const char* option, const std::string& text) {
 }  // namespace
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
-    const Range heights = parse_ends("--rho", rho), q = parse_ends("--inertia", inertia);
-    if (heights.hi > 1) {
+    const Claim claim{.range = parse_ends("--inertia", inertia),
+                      .system = {Section::body, parse_ends("--rho", rho)}};
+    if (claim.system.rho->hi > 1) {
         throw InputError("--rho is d2/d1 with d1 >= d2, so at most 1: swap the ends");
     }
-    if (q.lo * heights.lo < 1) {
+    if (claim.range.lo * claim.system.rho->lo < 1) {
         throw InputError(
             "no body with its mass between its contacts has these numbers: inertia times rho is "
             "at least 1 (proofs/body.md, L70)");
     }
-    return {.range = q, .system = {Section::body, heights}};
+    return claim;
 }
 
 Claim claim_of(const Rod& rod) {
