@@ -105,8 +105,10 @@ CertifyRequest certify_request(const Given& given, const std::optional<RatioArgu
 }
 
 std::vector<ProvedPiece> prove_pieces(CertifyRequest request, Verbosity verbosity) {
-    const bool single = request.claim.range.is_single();
-    Progress progress(single ? "boxes" : "steps", verbosity, single ? "proving" : "looking for steps");
+    const bool looks_for_steps =
+        !request.claim.range.is_single() && collisions::staircase_of(request.claim.system).step != nullptr;
+    Progress progress(looks_for_steps ? "steps" : "boxes", verbosity,
+                      looks_for_steps ? "looking for steps" : "proving");
     request.observer = &progress;
     return certify(request);
 }
