@@ -18,7 +18,6 @@
 #include "number/ratio_argument.hpp"
 #include "page/any_certificate.hpp"
 #include "pictures/body_map.hpp"
-#include "pictures/cover.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
@@ -157,17 +156,6 @@ std::string draw_staircase(const PlotRequest& request) {
     }
     require_verified(request, certificate.sha256, certificate.system);
     return pictures::staircase_svg(certificate);
-}
-
-std::string draw_cover(const PlotRequest& request) {
-    const Certificate certificate = verified_dumbbell(request, "cover", make_one);
-    const Rational q = ratio_of(request, certificate);
-    const Piece& piece = piece_at(request, certificate, q);
-    if (!piece.upper) {
-        throw InputError(fmt::format("'{}' has no cover of the mass ratio {}: it is left open there",
-                                     request.file, exact_text(q)));
-    }
-    return pictures::cover_svg(piece, q);
 }
 
 std::string draw_orbit(const PlotRequest& request) {

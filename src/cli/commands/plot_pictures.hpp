@@ -17,7 +17,6 @@ struct PlotRequest {
 };
 
 [[nodiscard]] std::string draw_staircase(const PlotRequest& request);
-[[nodiscard]] std::string draw_cover(const PlotRequest& request);
 [[nodiscard]] std::string draw_orbit(const PlotRequest& request);
 [[nodiscard]] std::string draw_phase(const PlotRequest& request);
 [[nodiscard]] std::string draw_bodies(const std::vector<std::string>& files, Observer& observer);
