@@ -2,11 +2,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/plot_pictures.hpp"
-#include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
-#include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -75,24 +73,11 @@ constexpr std::array<Option, 2> from_file(std::string_view text) {
                 .required()};
 }
 
-std::string drawn(std::string (*draw)(const PlotRequest&), bool asks_ratio, const Given& given) {
-    Progress progress("", Verbosity::normal, "reading");
-    return draw({.file = input_file(given.text("FILE")),
-                 .ratio = asks_ratio ? given.text("--ratio") : "",
-                 .observer = &progress});
-}
-
-template <std::string (*draw)(const PlotRequest&), bool asks_ratio = false>
+template <std::string (*draw)(const Given&, Observer&)>
 int run_plot(const Given& given) {
-    const Output out(given.text("--out"), {given.text("FILE")});
-    out.commit(drawn(draw, asks_ratio, given));
-    return exit_done;
-}
-
-int run_plot_bodies(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     Progress progress("", Verbosity::normal, "reading");
-    out.commit(draw_bodies(given.words("FILE"), progress));
+    out.commit(draw(given, progress));
     return exit_done;
 }
 
@@ -115,11 +100,11 @@ constexpr Command picture(std::string_view name, std::string_view text, std::spa
 constexpr Command staircase_picture =
     picture("staircase", staircase_picture_description, staircase_picture_options, run_plot<draw_staircase>);
 constexpr Command orbit_picture =
-    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, true>);
+    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit>);
 constexpr Command phase_picture =
     picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
 constexpr Command body_picture =
-    picture("body", body_picture_description, body_picture_options, run_plot_bodies);
+    picture("body", body_picture_description, body_picture_options, run_plot<draw_bodies>);
 constexpr std::array pictures{&staircase_picture, &orbit_picture, &phase_picture, &body_picture};
 
 }  // namespace

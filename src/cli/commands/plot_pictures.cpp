@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "cli/commands/verify.hpp"
+#include "cli/terminal/standard_input.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/section.hpp"
@@ -50,17 +51,17 @@ Kind certificate_for(const std::string& file, const char* picture, const char* m
     return std::move(*certificate);
 }
 
-/// The mass ratio of --ratio, or the only one that there is.
-Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
-    if (request.ratio.empty()) {
+/// The mass ratio that is asked for, or the only one that there is.
+Rational ratio_of(const std::string& asked, const std::string& file, const Certificate& certificate) {
+    if (asked.empty()) {
         if (certificate.q_lo() != certificate.q_hi()) {
             throw InputError(
-                fmt::format("'{}' is about the mass ratios {} to {}: choose one of them with --ratio",
-                            request.file, exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
+                fmt::format("'{}' is about the mass ratios {} to {}: choose one of them with --ratio", file,
+                            exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
         }
         return certificate.q_lo();
     }
-    const RatioArgument ratio = parse_ratio_argument(request.ratio);
+    const RatioArgument ratio = parse_ratio_argument(asked);
     if (ratio.lo != ratio.hi) {
         throw InputError("--ratio takes a single mass ratio");
     }
@@ -69,7 +70,7 @@ Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
 
 /// The piece with the mass ratio; of two that share it one that is decided. Throws InputError if there is
 /// none.
-const Piece& piece_at(const PlotRequest& request, const Certificate& certificate, const Rational& q) {
+const Piece& piece_at(const std::string& file, const Certificate& certificate, const Rational& q) {
     const Piece* found = nullptr;
     for (const Piece& piece : certificate.pieces) {
         if (piece.q_lo <= q && q <= piece.q_hi &&
@@ -78,29 +79,27 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
         }
     }
     if (found == nullptr) {
-        throw InputError(
-            fmt::format("'{}' says nothing about the mass ratio {}", request.file, exact_text(q)));
+        throw InputError(fmt::format("'{}' says nothing about the mass ratio {}", file, exact_text(q)));
     }
     return *found;
 }
 
 /// Then it is drawn.
-void require_verified(const PlotRequest& request, const std::string& sha256,
+void require_verified(const std::string& file, const std::string& sha256, Observer& observer,
                       const collisions::System& system = {}) {
-    (void)verified(request.file, sha256, row_of(system.section).scene, *request.observer);
-    request.observer->enter("drawing", "");
+    (void)verified(file, sha256, row_of(system.section).scene, observer);
+    observer.enter("drawing", "");
 }
 
 /// One with orbits of the dumbbell.
-Certificate verified_dumbbell(const PlotRequest& request) {
-    auto certificate =
-        certificate_for<Certificate>(request.file, "orbit", "dumbbell certify RATIO --out FILE");
+Certificate verified_dumbbell(const std::string& file, Observer& observer) {
+    auto certificate = certificate_for<Certificate>(file, "orbit", "dumbbell certify RATIO --out FILE");
     const collisions::SectionRow& row = row_of(certificate.system.section);
     if (!row.has_orbits) {
-        throw InputError(fmt::format("'{}' is about the scene {}: plot orbit draws the dumbbell",
-                                     request.file, row.scene));
+        throw InputError(
+            fmt::format("'{}' is about the scene {}: plot orbit draws the dumbbell", file, row.scene));
     }
-    require_verified(request, certificate.sha256, certificate.system);
+    require_verified(file, certificate.sha256, observer, certificate.system);
     return certificate;
 }
 
@@ -130,24 +129,27 @@ Piece proved_piece(const Rational& q, Observer& observer) {
 
 }  // namespace
 
-std::string draw_staircase(const PlotRequest& request) {
+std::string draw_staircase(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
     const auto certificate =
-        certificate_for<Certificate>(request.file, "staircase", "dumbbell certify LO:HI --out FILE");
+        certificate_for<Certificate>(file, "staircase", "dumbbell certify LO:HI --out FILE");
     if (certificate.system.rho) {
-        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", request.file));
+        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", file));
     }
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
-    require_verified(request, certificate.sha256, certificate.system);
+    require_verified(file, certificate.sha256, observer, certificate.system);
     return pictures::staircase_svg(certificate);
 }
 
-std::string draw_orbit(const PlotRequest& request) {
+std::string draw_orbit(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
+    const std::string asked = given.text("--ratio");
     Piece piece;
     Rational q;
-    if (const auto ratio = ratios_of(request.file)) {
-        if (ratio->lo != ratio->hi || !request.ratio.empty()) {
+    if (const auto ratio = ratios_of(file)) {
+        if (ratio->lo != ratio->hi || !asked.empty()) {
             throw InputError(
                 "an orbit has one mass ratio: plot orbit RATIO, or plot orbit FILE --ratio RATIO");
         }
@@ -155,26 +157,27 @@ std::string draw_orbit(const PlotRequest& request) {
         if (q > greatest_drawn_ratio) {
             throw InputError("beyond the mass ratio 10^8 an orbit has too many collisions for a picture");
         }
-        piece = proved_piece(q, *request.observer);
-        request.observer->enter("drawing", "");
+        piece = proved_piece(q, observer);
+        observer.enter("drawing", "");
     } else {
-        const Certificate certificate = verified_dumbbell(request);
-        q = ratio_of(request, certificate);
-        piece = piece_at(request, certificate, q);
+        const Certificate certificate = verified_dumbbell(file, observer);
+        q = ratio_of(asked, file, certificate);
+        piece = piece_at(file, certificate, q);
     }
     return pictures::orbit_svg(piece, q);
 }
 
-std::string draw_phase(const PlotRequest& request) {
+std::string draw_phase(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
     const auto certificate = certificate_for<starts::Certificate>(
-        request.file, "phase", "dumbbell trace RATIO ... --subdivide --out FILE");
-    require_verified(request, certificate.sha256);
+        file, "phase", "dumbbell trace RATIO ... --subdivide --out FILE");
+    require_verified(file, certificate.sha256, observer);
     return pictures::phase_svg(certificate);
 }
 
-std::string draw_bodies(const std::vector<std::string>& files, Observer& observer) {
+std::string draw_bodies(const Given& given, Observer& observer) {
     std::vector<Certificate> certificates;
-    for (const std::string& file : files) {
+    for (const std::string& file : given.words("FILE")) {
         Certificate certificate = collisions::read_certificate(file);
         const std::string_view scene = row_of(certificate.system.section).scene;
         if (!certificate.system.rho) {

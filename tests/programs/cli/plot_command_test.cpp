@@ -87,8 +87,6 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
 
 TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it") {
     CHECK_THAT(refusal({"orbit", "stairs.dbc"}), Contains("--ratio"));
-    CHECK_THAT(refusal({"orbit", "stairs.dbc", "--ratio", "13"}),
-               Contains("nothing about the mass ratio 13"));
     CHECK_THAT(refusal({"orbit", "ten.dbc", "--ratio", "11"}), Contains("nothing about the mass ratio 11"));
     CHECK_THAT(refusal({"orbit", "stairs.dbc", "--ratio", "2:3"}), Contains("single"));
     CHECK_THAT(refusal({"orbit", "10", "--ratio", "10"}), Contains("one mass ratio"));
