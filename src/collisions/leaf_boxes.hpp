@@ -9,7 +9,7 @@
 #include "number/rational.hpp"
 
 /// The leaf boxes of a certificate's tree as exact rationals, derived from format.md and
-/// format-sections.md alone, for pictures and the audit: nothing here is shared with chart.hpp but the words.
+/// format-sections.md alone, for the page and the audit: nothing here is shared with chart.hpp but the words.
 namespace dumbbell::collisions {
 
 /// A closed box: for each Axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a

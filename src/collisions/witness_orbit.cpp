@@ -34,8 +34,8 @@ std::vector<flight::Collision<Interval>> orbit_in(const Witness& w, const Ration
 std::vector<flight::Collision<Interval>> witness_orbit(const Witness& witness, const Rational& q, int bits) {
     constexpr long most_collisions = 10'000'000;
     if (witness.total() > most_collisions) {
-        throw InputError(fmt::format("the orbit has {} collisions: they are listed, and drawn, up to {}",
-                                     witness.total(), most_collisions));
+        throw InputError(fmt::format("the orbit has {} collisions: they are listed up to {}", witness.total(),
+                                     most_collisions));
     }
     const PrecisionScope scope(bits);
     return bits <= 53 ? orbit_in<Interval>(witness, q) : orbit_in<BigInterval>(witness, q);

@@ -16,7 +16,7 @@
 #include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "pictures/count_colours.hpp"
-#include "pictures/cover.hpp"
+#include "pictures/palette.hpp"
 
 namespace dumbbell::page {
 
@@ -27,21 +27,29 @@ using collisions::System;
 namespace {
 
 using collisions::Axis;
+namespace palette = pictures::palette;
 
-/// What a reason other than a count says of the states in its box.
-std::string_view about(collisions::Reason reason) {
+/// A reason other than a count: what it says of the states in its box, and the box's colour.
+struct ReasonStyle {
+    std::string_view about;
+    pictures::Shade colour;
+};
+
+ReasonStyle style_of(collisions::Reason reason) {
     using enum collisions::Reason;
     switch (reason) {
         case count:
             break;
         case outside:
-            return "no state of the section lies here";
+            return {"no state of the section lies here", palette::outside};
         case meets:
-            return "the outgoing ray meets the bridge, so the chart bridge covers these states";
+            return {"the outgoing ray meets the bridge, so the chart bridge covers these states",
+                    palette::meets};
         case meets_reversed:
-            return "the incoming ray comes from the bridge, so the chart bridge covers these states";
+            return {"the incoming ray comes from the bridge, so the chart bridge covers these states",
+                    palette::meets_reversed};
         case once:
-            return "what comes back is too steep to meet the bridge again";
+            return {"what comes back is too steep to meet the bridge again", palette::once};
     }
     return {};
 }
@@ -81,9 +89,10 @@ class Kinds {
         Json kinds = Json::array();
         for (const auto& [key, number] : numbers_) {
             const auto& [counted, both, forward, backward, reason] = key;
-            const pictures::Shade colour = counted ? shades.at(1 + both).shade() : pictures::shade_of(reason);
+            const ReasonStyle style = style_of(reason);
+            const pictures::Shade colour = counted ? shades.at(1 + both).shade() : style.colour;
             kinds.add(Json::object({{"reason", name(reason)},
-                                    {"about", about(reason)},
+                                    {"about", style.about},
                                     {"forward", forward},
                                     {"backward", backward},
                                     {"colour", Json::array({colour.light, colour.dark})}}));

@@ -16,16 +16,7 @@ constexpr double swatch_gap = 7;
 constexpr double entry_gap = 22;
 constexpr double row_height = 20;
 
-double position(Scale scale, double value) {
-    switch (scale) {
-        case Scale::logarithmic:
-            return std::log10(value);
-        case Scale::compact:
-            return value / (1 + value);
-        default:
-            return value;
-    }
-}
+double position(Scale scale, double value) { return scale == Scale::logarithmic ? std::log10(value) : value; }
 
 /// The least of 1, 2, 5 times a power of ten that is at least x.
 double round_number(double x) {
@@ -134,25 +125,6 @@ std::vector<Tick> decade_ticks(double lo, double hi, const AxisRoom& room) {
             }
         }
     }
-    return ticks;
-}
-
-std::vector<Tick> compact_ticks(double hi) {
-    constexpr double apart = 0.065;  // of the axis
-    const PlotAxis axis{0, hi, "", {}, Scale::compact};
-    std::vector<Tick> ticks{{0, "0"}};
-    std::vector<double> candidates{0.2, 0.5};
-    for (int decade = 0; decade <= std::log10(hi); ++decade) {
-        const double power = std::pow(10, decade);
-        candidates.insert(candidates.end(), {power, 2 * power, 5 * power});
-    }
-    for (const double value : candidates) {
-        if (value < hi && axis.share(value) - axis.share(ticks.back().value) >= apart &&
-            1 - axis.share(value) >= apart) {
-            ticks.push_back({value, number_label(value)});
-        }
-    }
-    ticks.push_back({hi, number_label(hi)});
     return ticks;
 }
 

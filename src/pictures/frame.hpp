@@ -15,9 +15,8 @@ struct Tick {
     std::string label;
 };
 
-/// How values lie along an axis: evenly; by their logarithm; or by v / (1 + v), which leaves room for 0 and
-/// for great values alike.
-enum class Scale { linear, logarithmic, compact };
+/// How values lie along an axis: evenly, or by their logarithm.
+enum class Scale { linear, logarithmic };
 
 struct PlotAxis {
     double lo;
@@ -41,8 +40,6 @@ struct AxisRoom {
 /// For a logarithmic axis: 1, 2 and 5 of each decade, or even ones where the range holds few of those. Marks
 /// whose numbers would run into one another have none (an empty label). 0 < lo < hi.
 [[nodiscard]] std::vector<Tick> decade_ticks(double lo, double hi, const AxisRoom& room);
-/// 0, 1/2, 1, 2, 5, 10, ... as far as they keep apart on a compact scale, and hi. lo = 0.
-[[nodiscard]] std::vector<Tick> compact_ticks(double hi);
 /// Multiples of pi/2 (or of pi, 2 pi, ... where the range holds many).
 [[nodiscard]] std::vector<Tick> angle_ticks(double lo, double hi);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "collisions/witness_orbit.hpp"
 #include "number/decimal.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/label_places.hpp"
@@ -280,11 +281,22 @@ std::string caption_of(const Orbit& orbit, const Rational& q, bool has_detail) {
 
 }  // namespace
 
-std::string orbit_svg(const Orbit& orbit, const Rational& q) {
-    if (orbit.size() > most_drawn_collisions) {
-        throw InputError(fmt::format("a picture shows {} collisions at most, and this orbit has {}",
-                                     most_drawn_collisions, orbit.size()));
+std::string orbit_svg(const collisions::Piece& piece, const Rational& q) {
+    if (!piece.witness) {
+        throw InputError(fmt::format("there is no orbit at the mass ratio {} to draw", exact_text(q)));
     }
+    if (piece.witness->total() > Count(most_drawn_collisions)) {
+        throw InputError(fmt::format("a picture shows {} collisions at most, and this orbit has {}",
+                                     most_drawn_collisions, piece.witness->total()));
+    }
+    const Orbit orbit = witness_orbit(*piece.witness, q, piece.bits);
+    if (orbit.empty()) {
+        throw InputError(fmt::format("the orbit cannot be enclosed with {} bits", piece.bits));
+    }
+    return orbit_svg(orbit, q);
+}
+
+std::string orbit_svg(const Orbit& orbit, const Rational& q) {
     const Floor floor(q);
     constexpr double low_bridge = 0.1;  // of the humps' height
     constexpr double detail_of_bridge = 6.5;

@@ -146,6 +146,9 @@ void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
 std::string staircase_svg(const collisions::Certificate& certificate) {
     const std::vector<Piece>& pieces = certificate.pieces;
     require(!pieces.empty() && pieces.front().q_lo < pieces.back().q_hi, "staircase picture: an empty range");
+    if (pieces.back().q_hi > flight::paper_bound_limit()) {
+        throw InputError("no picture reaches beyond the mass ratio 3e31");
+    }
     const double q_lo = value(pieces.front().q_lo);
     const double q_hi = value(pieces.back().q_hi);
     constexpr double narrowest = 1e-12;

@@ -13,17 +13,10 @@ namespace dumbbell::pictures {
 
 namespace {
 
-struct Quantity {
-    const char* name;
-    const char* meaning;
-};
-
-constexpr std::array<Quantity, starts::axis_count> quantities{
-    {{"phi", "phi (angle of the rod, radians)"},
-     {"phidot", "phidot (angular velocity)"},
-     {"y", "y (height of the centre of mass, rod lengths)"},
-     {"ydot", "ydot (vertical velocity, downwards negative)"},
-     {"q", "q (mass ratio, heavy over light)"}}};
+constexpr std::array<const char*, starts::axis_count> meanings{
+    "phi (angle of the rod, radians)", "phidot (angular velocity)",
+    "y (height of the centre of mass, rod lengths)", "ydot (vertical velocity, downwards negative)",
+    "q (mass ratio, heavy over light)"};
 
 bool has_width(const starts::Box& box, std::size_t axis) { return box.lo[axis] < box.hi[axis]; }
 
@@ -74,14 +67,14 @@ PlotAxis plot_axis(const starts::Certificate& certificate, starts::Axis axis) {
     constexpr int wanted = 7;
     if (certificate.incoming && axis == starts::Axis::phi) {
         constexpr double turn = 2 * std::numbers::pi;
-        return {0, turn, quantities.front().meaning, angle_ticks(0, turn)};
+        return {0, turn, meanings.front(), angle_ticks(0, turn)};
     }
     if (certificate.incoming) {
         return {0, 1, "s (sine of the direction of flight against the vertical)", even_ticks(0, 1, wanted)};
     }
     const auto lo = certificate.box.lower(axis).convert_to<double>();
     const auto hi = certificate.box.upper(axis).convert_to<double>();
-    return {lo, hi, quantities[static_cast<std::size_t>(axis)].meaning,
+    return {lo, hi, meanings[static_cast<std::size_t>(axis)],
             axis == starts::Axis::phi ? angle_ticks(lo, hi) : even_ticks(lo, hi, wanted)};
 }
 
@@ -93,7 +86,7 @@ std::string fixed_quantities(const starts::Certificate& certificate) {
     std::string text;
     for (std::size_t axis = 0; axis < starts::axis_count; ++axis) {
         if (!has_width(certificate.box, axis)) {
-            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", quantities[axis].name,
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", starts::axis_names[axis],
                                 signed_text(certificate.box.lo[axis]));
         }
     }

@@ -15,12 +15,11 @@ constexpr double letter_width = 7.4;  // of the usual size, on average
 constexpr std::string_view light_style =
     "text{font:13px "
     "sans-serif;fill:#222}.head{font-weight:600;font-size:15px}.small{font-size:12px;fill:#59626c}"
-    ".page{fill:#fff}.grid{stroke:#e2e5e9}.frame{fill:none;stroke:#8b949e}.mark{stroke:#1b2026;stroke-"
-    "dasharray:4 3}"
+    ".page{fill:#fff}.grid{stroke:#e2e5e9}.frame{fill:none;stroke:#8b949e}"
     ".hatched{fill:url(#hatch)}.hatch-ground{fill:#fff}";
 constexpr std::string_view dark_style =
     "text{fill:#d9dee4}.small{fill:#9aa4af}.page{fill:#12161c}.grid{stroke:#2a313a}.frame{stroke:#6c7680}"
-    ".mark{stroke:#0b0e12}.hatch-ground{fill:#12161c}";
+    ".hatch-ground{fill:#12161c}";
 
 /// What is not decided, or has no value: stripes that no colour is.
 constexpr std::string_view hatch =

@@ -2,11 +2,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/plot_pictures.hpp"
-#include "cli/options/given.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
-#include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -21,7 +19,6 @@ Each certificate is verified first. The same certificate gives the same bytes.
 
 Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
-  dumbbell plot cover certificates/full-100.dbc.gz --out cover.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
   dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
@@ -34,16 +31,6 @@ For the dumbbell the source paper's bound is drawn, too; for a wedge its formula
 Example:
   dumbbell certify 1:100 --out stairs.dbc
   dumbbell plot staircase stairs.dbc --out stairs.svg)";
-
-constexpr const char* cover_picture_description =
-    R"(The boxes of a cover, coloured by the number of collisions that they prove.
-
-They are drawn chart by chart in the coordinates of docs/reference/format.md; a box with another reason has that
-reason's colour. For a range of mass ratios --ratio chooses one. For boxes of initial conditions: plot phase.
-
-Example:
-  dumbbell certify 100 --section full --out full.dbc
-  dumbbell plot cover full.dbc --out cover.svg)";
 
 constexpr const char* orbit_picture_description =
     R"(An orbit with the greatest number of collisions, and the dumbbell at each of them.
@@ -86,36 +73,19 @@ constexpr std::array<Option, 2> from_file(std::string_view text) {
                 .required()};
 }
 
-constexpr std::array with_ratio{
-    Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}};
-
-std::string drawn(std::string (*draw)(const PlotRequest&), bool asks_ratio, const Given& given) {
-    Progress progress("", Verbosity::normal, "reading");
-    return draw({.file = input_file(given.text("FILE")),
-                 .ratio = asks_ratio ? given.text("--ratio") : "",
-                 .observer = &progress});
-}
-
-template <std::string (*draw)(const PlotRequest&), bool asks_ratio = false>
+template <std::string (*draw)(const Given&, Observer&)>
 int run_plot(const Given& given) {
-    const Output out(given.text("--out"), {given.text("FILE")});
-    out.commit(drawn(draw, asks_ratio, given));
-    return exit_done;
-}
-
-int run_plot_bodies(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     Progress progress("", Verbosity::normal, "reading");
-    out.commit(draw_bodies(given.words("FILE"), progress));
+    out.commit(draw(given, progress));
     return exit_done;
 }
 
 constexpr std::array staircase_picture_options =
     from_file("certificate over a range of mass ratios (-: the standard input)");
-constexpr std::array cover_picture_options =
-    joined(from_file("certificate about a mass ratio (-: the standard input)"), with_ratio);
 constexpr std::array orbit_picture_options =
-    joined(from_file("mass ratio, or certificate (-: the standard input)"), with_ratio);
+    joined(from_file("mass ratio, or certificate (-: the standard input)"),
+           std::array{Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}});
 constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
 
@@ -129,16 +99,13 @@ constexpr Command picture(std::string_view name, std::string_view text, std::spa
 
 constexpr Command staircase_picture =
     picture("staircase", staircase_picture_description, staircase_picture_options, run_plot<draw_staircase>);
-constexpr Command cover_picture =
-    picture("cover", cover_picture_description, cover_picture_options, run_plot<draw_cover, true>);
 constexpr Command orbit_picture =
-    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit, true>);
+    picture("orbit", orbit_picture_description, orbit_picture_options, run_plot<draw_orbit>);
 constexpr Command phase_picture =
     picture("phase", phase_picture_description, phase_picture_options, run_plot<draw_phase>);
 constexpr Command body_picture =
-    picture("body", body_picture_description, body_picture_options, run_plot_bodies);
-constexpr std::array pictures{&staircase_picture, &cover_picture, &orbit_picture, &phase_picture,
-                              &body_picture};
+    picture("body", body_picture_description, body_picture_options, run_plot<draw_bodies>);
+constexpr std::array pictures{&staircase_picture, &orbit_picture, &phase_picture, &body_picture};
 
 }  // namespace
 

@@ -3,22 +3,21 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/error.hpp"
 #include "cli/commands/verify.hpp"
+#include "cli/terminal/standard_input.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/section.hpp"
-#include "collisions/witness_orbit.hpp"
-#include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "page/any_certificate.hpp"
 #include "pictures/body_map.hpp"
-#include "pictures/cover.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
@@ -32,12 +31,6 @@ namespace {
 
 const Rational greatest_drawn_ratio = 100'000'000;  // about 9,000 collisions
 
-/// What to run for a certificate of the kind that a picture needs.
-constexpr const char* make_staircase = "dumbbell certify LO:HI --out FILE";
-constexpr const char* make_one = "dumbbell certify RATIO --out FILE";
-constexpr const char* make_starts = "dumbbell trace RATIO ... --subdivide --out FILE";
-constexpr const char* make_body = "dumbbell certify --scene body ... --out FILE";
-
 const char* what_it_is(const page::AnyCertificate& certificate) {
     return std::holds_alternative<Certificate>(certificate) ? "about mass ratios (dumbbell certify)"
            : std::holds_alternative<starts::Certificate>(certificate)
@@ -45,7 +38,8 @@ const char* what_it_is(const page::AnyCertificate& certificate) {
                : "about the adiabatic invariant";
 }
 
-/// The certificate, if it is of this kind. Throws InputError, saying what to run, if it is of another.
+/// The certificate, if it is of this kind. Throws InputError, saying what to run (`make`), if it is of
+/// another.
 template <class Kind>
 Kind certificate_for(const std::string& file, const char* picture, const char* make) {
     page::AnyCertificate any = page::read_any_certificate(file);
@@ -57,17 +51,17 @@ Kind certificate_for(const std::string& file, const char* picture, const char* m
     return std::move(*certificate);
 }
 
-/// The mass ratio of --ratio, or the only one that there is.
-Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
-    if (request.ratio.empty()) {
+/// The mass ratio that is asked for, or the only one that there is.
+Rational ratio_of(const std::string& asked, const std::string& file, const Certificate& certificate) {
+    if (asked.empty()) {
         if (certificate.q_lo() != certificate.q_hi()) {
             throw InputError(
-                fmt::format("'{}' is about the mass ratios {} to {}: choose one of them with --ratio",
-                            request.file, exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
+                fmt::format("'{}' is about the mass ratios {} to {}: choose one of them with --ratio", file,
+                            exact_text(certificate.q_lo()), exact_text(certificate.q_hi())));
         }
         return certificate.q_lo();
     }
-    const RatioArgument ratio = parse_ratio_argument(request.ratio);
+    const RatioArgument ratio = parse_ratio_argument(asked);
     if (ratio.lo != ratio.hi) {
         throw InputError("--ratio takes a single mass ratio");
     }
@@ -76,7 +70,7 @@ Rational ratio_of(const PlotRequest& request, const Certificate& certificate) {
 
 /// The piece with the mass ratio; of two that share it one that is decided. Throws InputError if there is
 /// none.
-const Piece& piece_at(const PlotRequest& request, const Certificate& certificate, const Rational& q) {
+const Piece& piece_at(const std::string& file, const Certificate& certificate, const Rational& q) {
     const Piece* found = nullptr;
     for (const Piece& piece : certificate.pieces) {
         if (piece.q_lo <= q && q <= piece.q_hi &&
@@ -85,49 +79,41 @@ const Piece& piece_at(const PlotRequest& request, const Certificate& certificate
         }
     }
     if (found == nullptr) {
-        throw InputError(
-            fmt::format("'{}' says nothing about the mass ratio {}", request.file, exact_text(q)));
+        throw InputError(fmt::format("'{}' says nothing about the mass ratio {}", file, exact_text(q)));
     }
     return *found;
 }
 
 /// Then it is drawn.
-void require_verified(const PlotRequest& request, const std::string& sha256,
+void require_verified(const std::string& file, const std::string& sha256, Observer& observer,
                       const collisions::System& system = {}) {
-    (void)verified(request.file, sha256, row_of(system.section).scene, *request.observer);
-    request.observer->enter("drawing", "");
+    (void)verified(file, sha256, row_of(system.section).scene, observer);
+    observer.enter("drawing", "");
 }
 
-Certificate verified_dumbbell(const PlotRequest& request, const char* picture, const char* make) {
-    auto certificate = certificate_for<Certificate>(request.file, picture, make);
+/// One with orbits of the dumbbell.
+Certificate verified_dumbbell(const std::string& file, Observer& observer) {
+    auto certificate = certificate_for<Certificate>(file, "orbit", "dumbbell certify RATIO --out FILE");
     const collisions::SectionRow& row = row_of(certificate.system.section);
     if (!row.has_orbits) {
-        throw InputError(fmt::format("'{}' is about the scene {}: plot {} draws the dumbbell", request.file,
-                                     row.scene, picture));
+        throw InputError(
+            fmt::format("'{}' is about the scene {}: plot orbit draws the dumbbell", file, row.scene));
     }
-    require_verified(request, certificate.sha256, certificate.system);
+    require_verified(file, certificate.sha256, observer, certificate.system);
     return certificate;
 }
 
-/// One of another kind, which knows of no scene but the dumbbell's.
-template <class Kind>
-Kind verified_certificate(const PlotRequest& request, const char* picture, const char* make) {
-    auto certificate = certificate_for<Kind>(request.file, picture, make);
-    require_verified(request, certificate.sha256);
-    return certificate;
-}
-
-/// Is it a mass ratio, not the name of a file? Throws InputError if it is neither, but begins like a number.
-bool is_ratio(const std::string& text) {
+/// The mass ratios, unless it is the name of a file. Throws InputError if it is neither, but begins like a
+/// number.
+std::optional<RatioArgument> ratios_of(const std::string& text) {
     try {
-        (void)parse_ratio_argument(text);
-        return true;
+        return parse_ratio_argument(text);
     } catch (const InputError&) {
         const bool like_number = text.find_first_of("0123456789") <= 1;  // -1 and .5, too
         if (like_number && !std::filesystem::exists(text)) {
             throw;
         }
-        return false;
+        return std::nullopt;
     }
 }
 
@@ -143,75 +129,62 @@ Piece proved_piece(const Rational& q, Observer& observer) {
 
 }  // namespace
 
-std::string draw_staircase(const PlotRequest& request) {
-    const auto certificate = certificate_for<Certificate>(request.file, "staircase", make_staircase);
+std::string draw_staircase(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
+    const auto certificate =
+        certificate_for<Certificate>(file, "staircase", "dumbbell certify LO:HI --out FILE");
     if (certificate.system.rho) {
-        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", request.file));
+        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", file));
     }
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
     }
-    if (certificate.q_hi() > flight::paper_bound_limit()) {
-        throw InputError(
-            fmt::format("'{}' reaches beyond the mass ratio 3e31: no picture of that", request.file));
-    }
-    require_verified(request, certificate.sha256, certificate.system);
+    require_verified(file, certificate.sha256, observer, certificate.system);
     return pictures::staircase_svg(certificate);
 }
 
-std::string draw_cover(const PlotRequest& request) {
-    const Certificate certificate = verified_dumbbell(request, "cover", make_one);
-    const Rational q = ratio_of(request, certificate);
-    const Piece& piece = piece_at(request, certificate, q);
-    if (!piece.upper) {
-        throw InputError(fmt::format("'{}' has no cover of the mass ratio {}: it is left open there",
-                                     request.file, exact_text(q)));
-    }
-    return pictures::cover_svg(piece, q);
-}
-
-std::string draw_orbit(const PlotRequest& request) {
+std::string draw_orbit(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
+    const std::string asked = given.text("--ratio");
     Piece piece;
     Rational q;
-    if (is_ratio(request.file)) {
-        const RatioArgument ratio = parse_ratio_argument(request.file);
-        if (ratio.lo != ratio.hi || !request.ratio.empty()) {
+    if (const auto ratio = ratios_of(file)) {
+        if (ratio->lo != ratio->hi || !asked.empty()) {
             throw InputError(
                 "an orbit has one mass ratio: plot orbit RATIO, or plot orbit FILE --ratio RATIO");
         }
-        q = ratio.lo;
+        q = ratio->lo;
         if (q > greatest_drawn_ratio) {
             throw InputError("beyond the mass ratio 10^8 an orbit has too many collisions for a picture");
         }
-        piece = proved_piece(q, *request.observer);
-        request.observer->enter("drawing", "");
+        piece = proved_piece(q, observer);
+        observer.enter("drawing", "");
     } else {
-        const Certificate certificate = verified_dumbbell(request, "orbit", make_one);
-        q = ratio_of(request, certificate);
-        piece = piece_at(request, certificate, q);
+        const Certificate certificate = verified_dumbbell(file, observer);
+        q = ratio_of(asked, file, certificate);
+        piece = piece_at(file, certificate, q);
     }
-    if (!piece.witness) {
-        throw InputError(fmt::format("there is no orbit at the mass ratio {} to draw", exact_text(q)));
-    }
-    const auto collisions = witness_orbit(*piece.witness, q, piece.bits);
-    if (collisions.empty()) {
-        throw InputError(fmt::format("the orbit cannot be enclosed with {} bits", piece.bits));
-    }
-    return pictures::orbit_svg(collisions, q);
+    return pictures::orbit_svg(piece, q);
 }
 
-std::string draw_phase(const PlotRequest& request) {
-    return pictures::phase_svg(verified_certificate<starts::Certificate>(request, "phase", make_starts));
+std::string draw_phase(const Given& given, Observer& observer) {
+    const std::string file = input_file(given.text("FILE"));
+    const auto certificate = certificate_for<starts::Certificate>(
+        file, "phase", "dumbbell trace RATIO ... --subdivide --out FILE");
+    require_verified(file, certificate.sha256, observer);
+    return pictures::phase_svg(certificate);
 }
 
-std::string draw_bodies(const std::vector<std::string>& files, Observer& observer) {
+std::string draw_bodies(const Given& given, Observer& observer) {
     std::vector<Certificate> certificates;
-    for (const std::string& file : files) {
+    for (const std::string& file : given.words("FILE")) {
         Certificate certificate = collisions::read_certificate(file);
         const std::string_view scene = row_of(certificate.system.section).scene;
         if (!certificate.system.rho) {
-            throw InputError(fmt::format("'{}' is about the scene {}: plot body needs certificates by {}",
-                                         file, scene, make_body));
+            throw InputError(
+                fmt::format("'{}' is about the scene {}: plot body needs certificates by "
+                            "dumbbell certify --scene body ... --out FILE",
+                            file, scene));
         }
         (void)verified(file, certificate.sha256, scene, observer);
         certificates.push_back(std::move(certificate));

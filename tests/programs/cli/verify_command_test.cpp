@@ -152,7 +152,7 @@ TEST_CASE("what is drawn and said of a file is of the bytes that the verifier ac
     };
     const std::string old = certificate(folder, "3:80"), stairs = certificates + "stairs-1-100.dbc";
     for (const Words& words : {Words{"plot", "staircase", "first", "--out", "x.svg"},
-                               Words{"plot", "cover", "first", "--ratio", "50", "--out", "x.svg"}}) {
+                               Words{"plot", "orbit", "first", "--ratio", "50", "--out", "x.svg"}}) {
         const Outcome outcome = exchanged(old, stairs, words);
         CAPTURE(words, outcome.err, outcome.out);
         CHECK(outcome.code == 2);

@@ -93,21 +93,8 @@ TEST_CASE("marks of angles are multiples of a quarter turn, at most nine or so")
     CHECK(labels(angle_ticks(0.2, 0.3)).size() >= 3);
 }
 
-TEST_CASE("a compact scale begins at 0, ends at its end, and its marks keep apart") {
-    for (const double hi : {1.0, 2.0, 128.0, 1048576.0}) {
-        CAPTURE(hi);
-        const auto ticks = compact_ticks(hi);
-        const PlotAxis axis{0, hi, "", ticks, Scale::compact};
-        CHECK(ticks.front().label == "0");
-        CHECK(axis.share(ticks.back().value) == 1);
-        for (std::size_t i = 1; i < ticks.size(); ++i) {
-            CHECK(axis.share(ticks[i].value) - axis.share(ticks[i - 1].value) > 0.05);
-        }
-    }
-}
-
 TEST_CASE("every scale takes the ends of an axis to its ends, and grows") {
-    for (const Scale scale : {Scale::linear, Scale::logarithmic, Scale::compact}) {
+    for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
         const PlotAxis axis{1, 16, "", {}, scale};
         CHECK(axis.share(1) == 0);
         CHECK(axis.share(16) == 1);

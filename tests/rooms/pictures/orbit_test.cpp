@@ -80,9 +80,13 @@ TEST_CASE("equal masses are drawn equal, and a heavier one larger, up to a limit
     CHECK(radius(orbit_svg(orbit_at(100, 10), 100), "heavy") > radius(four, "heavy"));
 }
 
-TEST_CASE("more collisions than a picture shows are refused") {
-    const auto one = orbit_at(4, 3).front();
-    CHECK_THROWS_AS(orbit_svg(std::vector(most_drawn_collisions + 1, one), 4), InputError);
+TEST_CASE("a piece has the orbit of its witness, unless that has more collisions than a picture shows") {
+    collisions::Piece piece;
+    CHECK_THROWS_WITH(orbit_svg(piece, 4), Contains("no orbit"));
+    piece.witness = collisions::find_witness<Interval>(4, 4, 3);
+    CHECK(orbit_svg(piece, 4) == orbit_svg(orbit_at(4, 3), 4));
+    piece.witness->forward = most_drawn_collisions;
+    CHECK_THROWS_WITH(orbit_svg(piece, 4), Contains("20000 collisions at most"));
 }
 
 TEST_CASE("what a stretched detail leaves out has no coordinates that programs cannot draw") {

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "catch.hpp"
+#include "flight/paper_bound.hpp"
 #include "rooms/collisions/sample_report.hpp"
 #include "xml.hpp"
 
@@ -145,7 +146,8 @@ TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the du
     CHECK_THAT(staircase_svg({.pieces = three_pieces()}), Contains("bouncing dumbbell"));
 }
 
-TEST_CASE("an empty range has no picture") {
+TEST_CASE("an empty range has no picture, nor one that goes too far") {
+    CHECK_THROWS_AS(staircase_svg({.pieces = {open_piece(5, 4 * flight::paper_bound_limit())}}), InputError);
     CHECK_THROWS_AS(staircase_svg({.pieces = {}}), BrokenInvariant);
     CHECK_THROWS_AS(staircase_svg({.pieces = {piece(10, 10, 4, 4)}}), BrokenInvariant);
 }
