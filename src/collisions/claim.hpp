@@ -16,7 +16,7 @@ struct Rod {
 };
 
 struct Claim {
-    Range range;  ///< of mass ratios, or of bodies of Q
+    Range range = {};  ///< of mass ratios, or of bodies of Q
     System system = {};
     Rational gap = {
         1, 1'000'000};  ///< of ranges: the relative width of a gap around a critical ratio; 0: not known

@@ -39,7 +39,7 @@ struct BoundSearch {
 struct SectionRow {
     std::string_view scene, section;           ///< as users say it
     std::string_view lemmas, section_in_file;  ///< the words after `lemmas` and `section`
-    std::string_view kind_in_totals;           ///< of leaves or covers that no other section has; or nothing
+    std::string_view kind_in_totals = {};      ///< of leaves or covers that no other section has; or nothing
     std::string_view hits, hits_it;            ///< "no ... more than N times, and some ... N times"
     std::string_view system, where;            ///< "The dumbbell"; " in the wedge", or nothing
     std::string_view title;                    ///< of the picture of its maximum

@@ -87,7 +87,7 @@ const Piece& piece_at(const std::string& file, const Certificate& certificate, c
 /// Then it is drawn.
 void require_verified(const std::string& file, const std::string& sha256, Observer& observer,
                       const collisions::System& system = {}) {
-    (void)verified(file, sha256, row_of(system.section).scene, observer);
+    (void)verified(file, sha256, system, observer);
     observer.enter("drawing", "");
 }
 
@@ -186,7 +186,7 @@ std::string draw_bodies(const Given& given, Observer& observer) {
                             "dumbbell certify --scene body ... --out FILE",
                             file, scene));
         }
-        (void)verified(file, certificate.sha256, scene, observer);
+        (void)verified(file, certificate.sha256, certificate.system, observer);
         certificates.push_back(std::move(certificate));
     }
     return pictures::body_map_svg(certificates);

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "collisions/section.hpp"
 #include "file/limits.hpp"
 #include "file/verifier_program.hpp"
 
@@ -79,9 +80,9 @@ std::string accepted(const std::string& file, const std::string& demand, Observe
 constinit const Command verify_command{"verify", "Check", verify_description, verify_footer, verify_options,
                                        nullptr,  {},      become_verifier};
 
-std::string verified(const std::string& file, const std::string& sha256, std::string_view scene,
+std::string verified(const std::string& file, const std::string& sha256, const collisions::System& system,
                      Observer& observer) {
-    std::string verdict = accepted(file, "--scene=" + std::string(scene), observer);
+    std::string verdict = accepted(file, fmt::format("--scene={}", row_of(system.section).scene), observer);
     if (digest_in(verdict) != sha256) {
         throw InputError(fmt::format("'{}' was changed while it was read and verified: try again", file));
     }
