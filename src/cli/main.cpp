@@ -101,11 +101,11 @@ void occupy_closed_streams() {
     }
 }
 
-/// With the words that other programs understand: `help COMMAND...`, `version`.
+/// With the words that other programs understand: `help COMMAND... TOPIC`, `version`.
 std::vector<std::string> usual_words(std::vector<std::string> words) {
     if (!words.empty() && words[0] == "help") {
-        words.erase(words.begin());
-        words.emplace_back("--help");
+        words[0] = "--help";
+        std::swap(words.front(), words[std::min<std::size_t>(1, words.size() - 1)]);
     } else if (!words.empty() && words[0] == "version") {
         words[0] = "--version";
     }

@@ -38,9 +38,7 @@ Examples:
 Beyond N = 10^17: dumbbell law --count 1e50 encloses one critical ratio by the law for every mass ratio.)";
 
 constexpr const char* critical_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished within the budget; 130 or 143 stopped by
+    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished within the budget; 130 or 143 stopped by
 SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{

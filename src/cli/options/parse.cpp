@@ -118,7 +118,9 @@ CommandLine parse(const Command& program, const std::string& version, const std:
     } catch (const CLI::CallForHelp&) {
         collect(app, program, line);
         fault = unknown_command(program, words);
-        line.answer = pages::help(program, *line.command);
+        const std::string& last = words.back();
+        const bool is_topic = !last.starts_with('-') && last != line.command->name;
+        line.answer = pages::help(program, *line.command, is_topic ? last : "");
     } catch (const CLI::ParseError& error) {
         collect(app, program, line);
         fault = wrong(error, app, line, words);

@@ -63,6 +63,13 @@ std::vector<std::string> names_of_commands(const Command& command) {
     return names;
 }
 
+/// Options of different topics exclude each other, whatever the table says of them.
+bool excludes(const Option& option, const Option& other) {
+    const auto excluded = split(option.excluded, ',');
+    const bool are_apart = !option.topic.empty() && !other.topic.empty() && option.topic != other.topic;
+    return are_apart || std::ranges::find(excluded, other.name) != excluded.end();
+}
+
 }  // namespace
 
 std::string hint(const Command& program, const std::vector<std::string>& words) {
@@ -144,9 +151,10 @@ std::string contradiction(const Given& given) {
             std::ranges::none_of(any_of, [&](std::string_view other) { return given.has(other); })) {
             return fmt::format("{} requires {}", option->name, fmt::join(any_of, " or "));
         }
-        for (const std::string_view other : split(option->excluded, ',')) {
-            if (!other.empty() && given.has(other)) {
-                return fmt::format("{} and {} exclude each other", option->name, other);
+        for (const auto& [other, words_of_other] : given.values()) {
+            if (!words_of_other.empty() && excludes(*option, *other)) {
+                return fmt::format("{} and {} exclude each other: leave one of them out", option->name,
+                                   other->name);
             }
         }
     }

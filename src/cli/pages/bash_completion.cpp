@@ -38,20 +38,16 @@ constexpr const char* tail = R"(    esac
 complete -F _dumbbell dumbbell dumbbell-verify
 )";
 
-/// Of all options; every command has --help, though its table does not say so. Those of the verifier are in
-/// its own help only.
+/// Of all options; those of the verifier are in its own help only.
 std::string names(const Command& command) {
     if (command.become != nullptr) {
         return R"sh("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")sh";
     }
     std::vector<std::string> all;
-    for (const Option& option : command.options) {
+    for (const Option& option : with_help(command.options)) {
         if (!option.is_argument()) {
             std::ranges::copy(option.names(), std::back_inserter(all));
         }
-    }
-    if (std::ranges::find(all, "--help") == all.end()) {
-        all.emplace_back("--help");
     }
     return fmt::format("'{}'", fmt::join(all, " "));
 }
@@ -69,6 +65,10 @@ void add_values(std::string& script, const Place& place) {
         for (const std::string& name : option.names()) {
             script += fmt::format("        '{} {}') {} ;;\n", place.name, name, then);
         }
+    }
+    if (!place.command->topics.empty()) {
+        script +=
+            fmt::format("        '{} --help') words='{}' ;;\n", place.name, place.command->topic_names(" "));
     }
 }
 

@@ -21,6 +21,19 @@ struct Place {
 /// Where this command stands, also if it is hidden.
 [[nodiscard]] Place place_of(const Command& command, const Command& program);
 
+/// What is said under one heading: of a command, but for its topics; then of each topic.
+struct Section {
+    std::string_view topic;  ///< empty: none
+    std::string heading;     ///< how the command is called, or how its help about the topic
+    std::string text;
+    std::string_view footer{};
+    std::vector<Option> options{};
+};
+[[nodiscard]] std::vector<Section> sections(const Place& place);
+
+/// Every command has --help, though only the program's own table says so.
+[[nodiscard]] std::vector<Option> with_help(std::span<const Option> options);
+
 /// Whether it does something itself, and not only by the commands below it.
 [[nodiscard]] bool is_called(const Command& command);
 
@@ -32,8 +45,7 @@ struct Place {
 /// The option as it is typed: `--out FILE`.
 [[nodiscard]] std::string spelling(const Option& option);
 
-/// What it means, with what it needs to be known: its range, required, the value without it, what it
-/// excludes.
+/// What it means, with what it needs to be known: its range, required, the value without it.
 [[nodiscard]] std::string meaning(const Option& option);
 
 /// A part of a description: lines that are one paragraph, or lines that stand as they are.

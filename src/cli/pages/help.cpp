@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/error.hpp"
 #include "cli/pages/command_table.hpp"
 #include "cli/pages/pages.hpp"
 
@@ -49,28 +50,21 @@ std::string rows(const char* heading, const std::vector<Option>& options) {
     return text;
 }
 
-/// Those that every command has come first; the program's own table has them.
-std::vector<Option> all_options(const Command& command, const Command& program) {
-    std::vector<Option> all(command.options.begin(), command.options.end());
-    if (&command != &program) {
-        all.insert(all.begin(), help_option);
+std::string whole(const Place& place, std::string_view topic) {
+    const auto all = sections(place);
+    const auto section = std::ranges::find(all, topic, &Section::topic);
+    if (section == all.end()) {
+        throw InputError(fmt::format("there is no help about '{}'; see {} --help", topic, place.name));
     }
-    return all;
-}
-
-std::string whole(const Place& place, const Command& program) {
-    const Command& command = *place.command;
-    std::string commands;
     std::vector<Option> arguments, options;
-    for (const Option& option : all_options(command, program)) {
+    for (const Option& option : with_help(section->options)) {
         (option.is_argument() ? arguments : options).push_back(option);
     }
-    for (const Command* below : command.commands) {
-        commands += row(std::string(below->name), brief(*below));
-    }
-    return fmt::format("{}\nUsage: {}\n{}{}{}{}\n{}\n", command.text, usage(place),
+    const std::string topics = place.command->topic_names(" | ");
+    return fmt::format("{}\n\nUsage: {}\n{}{}{}\n{}\n", section->text, usage(place),
                        rows("Arguments", arguments), rows("Options", options),
-                       commands.empty() ? "" : "\nCommands:\n", commands, place.footer);
+                       topics.empty() ? "" : fmt::format("\nMore: {} --help {}\n", place.name, topics),
+                       place.footer);
 }
 
 std::string commands_text(const Command& command) {
@@ -100,9 +94,9 @@ std::string examples_text(std::string_view description) {
     return text;
 }
 
-std::string one_screen(const Place& place, const Command& program) {
+std::string one_screen(const Place& place) {
     std::string options, footer;
-    for (const Option& option : all_options(*place.command, program)) {
+    for (const Option& option : with_help(place.command->options)) {
         options += (options.empty() ? "Options:\n  " : ", ") + std::string(option.name);
     }
     for (const Block& block : blocks(place.footer)) {
@@ -115,9 +109,9 @@ std::string one_screen(const Place& place, const Command& program) {
 
 }  // namespace
 
-std::string help(const Command& program, const Command& command) {
+std::string help(const Command& program, const Command& command, std::string_view topic) {
     const Place place = place_of(command, program);
-    return is_called(command) ? whole(place, program) : one_screen(place, program);
+    return is_called(command) ? whole(place, topic) : one_screen(place);
 }
 
 }  // namespace dumbbell::cli::pages

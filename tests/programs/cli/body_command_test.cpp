@@ -53,7 +53,8 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK_THAT(refused_body({"--rho", "1/2:2", "--inertia", "9"}), Contains("--rho is d2/d1"));
     CHECK_THAT(refused_body({"--rho", "3/4", "--inertia", "1/2:2"}),
                Contains("inertia times rho is at least 1"));
-    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--list is for mass ratios"));
+    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}),
+               Contains("--scene body needs --rho and --inertia"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {
@@ -66,6 +67,7 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"1:2", "--rod-mass", "1"}), Contains("single mass ratio"));
     CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
     CHECK_THAT(refused_body({"10", "--coin"}), Contains("a RATIO only with --rod-mass"));
+    CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--coin and --list exclude each other"));
     CHECK_THAT(refused_body({"--coin", "--scene", "wedge"}), Contains("--scene body"));
     CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));

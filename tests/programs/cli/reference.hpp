@@ -32,6 +32,7 @@ struct ListedOption {
 struct ListedCommand {
     Words words;  // plot staircase; of the program none
     std::vector<ListedOption> options;
+    Words topics;      // that have a help of their own
     std::string text;  // all else that is said of it
 };
 
@@ -56,6 +57,8 @@ inline std::vector<ListedCommand> listed_commands() {
             for (std::string word; words >> word;) {
                 commands.back().words.push_back(word);
             }
+        } else if (line.rfind("### ", 0) == 0) {
+            commands.back().topics.push_back(line.substr(line.rfind(' ') + 1));
         } else if (line.rfind(row, 0) == 0) {
             const std::size_t end = line.find("` | ");
             commands.back().options.push_back({unescaped(line.substr(row.size(), end - row.size())),
