@@ -11,8 +11,6 @@
 
 namespace dumbbell::cli {
 
-using adiabatic::Claim;
-
 namespace {
 
 constexpr std::size_t most_statements = 100'000;

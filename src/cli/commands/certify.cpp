@@ -158,7 +158,6 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
 
 std::vector<const collisions::Piece*> pieces_of(const std::vector<ProvedPiece>& proved) {
     std::vector<const collisions::Piece*> pieces;
-    pieces.reserve(proved.size());
     for (const ProvedPiece& p : proved) {
         pieces.push_back(&p.piece);
     }

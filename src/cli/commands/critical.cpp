@@ -67,9 +67,9 @@ void check_time(const critical::Request& request, bool quiet) {
     const std::string text = time_text(time.count());
     if (time > long_time) {
         throw InputError(
-            fmt::format("this would take about {} ({} thread{}): ask for less, or give a --budget, for "
+            fmt::format("this would take about {} ({}): ask for less, or give a --budget, for "
                         "example --budget 2h",
-                        text, request.jobs, request.jobs == 1 ? "" : "s"));
+                        text, plural(request.jobs, "thread")));
     }
     if (time > some_time && !quiet) {
         remark("this will take about " + text);

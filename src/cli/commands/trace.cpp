@@ -90,7 +90,8 @@ constexpr std::array start_options{
     quantity_option("--y", "height of the centre of mass, rod lengths"),
     quantity_option("--ydot", "its velocity (downwards: negative)"),
     flag("--incoming",
-         "with --subdivide, instead of these four: all trajectories that come in from above, by the natural "
+         "with --subdivide, instead of these four and without --digits: all trajectories that come in from "
+         "above, by the natural "
          "measure (L61 of proofs/lemmas.md)")
         .needs("--subdivide")
         .excludes("--phi,--phidot,--y,--ydot,--digits"),
@@ -200,11 +201,6 @@ void bound_by_maximum(starts::TraceReport& report, const std::optional<long>& ma
     }
 }
 
-void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
-    const bool explains = swapped && !given.has("--json") && !given.has("--quiet");
-    fmt::print(out, "{}{}", explains ? masses_are_swapped : "", shown(report, given));
-}
-
 /// But for what is found.
 starts::TraceReport report_at(const Given& given, const System& system) {
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
@@ -309,7 +305,8 @@ int run_trace(const Given& given) {
         });
         report.out = output.file();
     }
-    print(output.report(), given, report, system.ratio.swapped);
+    const bool explains = system.ratio.swapped && !given.has("--json") && !given.has("--quiet");
+    fmt::print(output.report(), "{}{}", explains ? masses_are_swapped : "", shown(report, given));
     return is_certified(report) ? exit_done : exit_not_certified;
 }
 

@@ -15,8 +15,7 @@
 namespace dumbbell::cli {
 
 inline constexpr Option list_option =
-    Option{"--list", "FILE", "the ratios that FILE has, one a line (-: the standard input), instead of RATIO"}
-        .of("lists");
+    Option{"--list", "FILE", "the ratios that FILE has, one a line (-: the standard input)"}.of("lists");
 inline constexpr Option strict_option =
     flag("--strict", "stop at the first line that is no mass ratio").needs("--list").of("lists");
 /// What every command says of them, which ends with examples of its own.

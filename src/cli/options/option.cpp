@@ -27,6 +27,26 @@ const Command* Command::below(std::string_view wanted) const {
     return found == commands.end() ? nullptr : *found;
 }
 
+std::vector<std::string> Command::command_names() const {
+    std::vector<std::string> all;
+    for (const Command* below : commands) {
+        if (!below->group.empty()) {
+            all.emplace_back(below->name);
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> Command::option_names() const {
+    std::vector<std::string> all{"--help"};
+    for (const Option& option : options) {
+        if (!option.is_argument()) {
+            std::ranges::copy(option.names(), std::back_inserter(all));
+        }
+    }
+    return all;
+}
+
 std::string Command::topic_names(const char* between) const {
     std::vector<std::string_view> names;
     std::ranges::transform(topics, std::back_inserter(names), &Topic::name);

@@ -49,9 +49,7 @@ struct Option {
     [[nodiscard]] constexpr Option excludes(std::string_view options) const {
         return with(&Option::excluded, options);
     }
-    [[nodiscard]] constexpr Option of(std::string_view name_of_topic) const {
-        return with(&Option::topic, name_of_topic);
-    }
+    [[nodiscard]] constexpr Option of(std::string_view which) const { return with(&Option::topic, which); }
     [[nodiscard]] constexpr Option saying(std::string_view words) const { return with(&Option::text, words); }
 
     [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
@@ -98,6 +96,11 @@ struct Command {
 
     /// The command of this name below it, or null.
     [[nodiscard]] const Command* below(std::string_view name) const;
+    /// Of those below it that its help shows.
+    [[nodiscard]] std::vector<std::string> command_names() const;
+    /// All names of its options, and --help.
+    [[nodiscard]] std::vector<std::string> option_names() const;
+    /// Of its topics, in one text.
     [[nodiscard]] std::string topic_names(const char* between) const;
 };
 
@@ -106,7 +109,7 @@ struct Command {
 inline constexpr const char* one_group = "Commands";
 inline constexpr const char* inherited = "";
 
-/// What every command has; --version the program alone.
+/// What every command has, though its table does not say so; --version the program alone.
 inline constexpr Option help_option = flag("-h,--help", "Print this help message and exit");
 inline constexpr Option version_option = flag("-V,--version", "Display program version information and exit");
 

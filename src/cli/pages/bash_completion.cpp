@@ -43,13 +43,7 @@ std::string names(const Command& command) {
     if (command.become != nullptr) {
         return R"sh("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")sh";
     }
-    std::vector<std::string> all;
-    for (const Option& option : with_help(command.options)) {
-        if (!option.is_argument()) {
-            std::ranges::copy(option.names(), std::back_inserter(all));
-        }
-    }
-    return fmt::format("'{}'", fmt::join(all, " "));
+    return fmt::format("'{}'", fmt::join(command.option_names(), " "));
 }
 
 /// The cases in which the word before is an option that takes a value.
@@ -74,16 +68,11 @@ void add_values(std::string& script, const Place& place) {
 
 /// The case of any other word before.
 void add_words(std::string& script, const Place& place) {
-    std::vector<std::string_view> words;
-    for (const Command* below : place.command->commands) {
-        if (!below->group.empty()) {
-            words.push_back(below->name);
-        }
-    }
     const bool files = std::ranges::any_of(place.command->options,
                                            [](const Option& o) { return o.is_argument() && is_file(o); });
-    script += fmt::format("        '{} '*) options={} words='{}' files={} ;;\n", place.name,
-                          names(*place.command), fmt::join(words, " "), files ? "yes" : "");
+    script +=
+        fmt::format("        '{} '*) options={} words='{}' files={} ;;\n", place.name, names(*place.command),
+                    fmt::join(place.command->command_names(), " "), files ? "yes" : "");
 }
 
 }  // namespace

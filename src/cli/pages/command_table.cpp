@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "base/fields.hpp"
 
 namespace dumbbell::cli::pages {
@@ -22,24 +21,13 @@ void collect(const Place& place, bool with_hidden, std::vector<Place>& all) {
     }
 }
 
+}  // namespace
+
 std::vector<Place> places(const Command& program, bool with_hidden) {
     std::vector<Place> all;
     const std::string name(program.name);
     collect({&program, name, program.footer}, with_hidden, all);
     return all;
-}
-
-}  // namespace
-
-std::vector<Place> places(const Command& program) { return places(program, false); }
-
-Place place_of(const Command& command, const Command& program) {
-    const auto all = places(program, true);
-    const auto found = std::ranges::find(all, &command, &Place::command);
-    if (found == all.end()) {
-        throw BrokenInvariant("a command is not in the table");
-    }
-    return *found;
 }
 
 bool is_called(const Command& command) { return command.run != nullptr || command.become != nullptr; }
@@ -67,14 +55,6 @@ std::vector<Section> sections(const Place& place) {
     for (Section& section : all) {
         std::ranges::copy_if(command.options, std::back_inserter(section.options),
                              [&](const Option& option) { return option.topic == section.topic; });
-    }
-    return all;
-}
-
-std::vector<Option> with_help(std::span<const Option> options) {
-    std::vector<Option> all(options.begin(), options.end());
-    if (std::ranges::find(all, help_option.name, &Option::name) == all.end()) {
-        all.insert(all.begin(), help_option);
     }
     return all;
 }

@@ -15,11 +15,8 @@ struct Place {
     std::string_view footer;
 };
 
-/// The program and all that is below it, each command before its own; not those that are hidden.
-[[nodiscard]] std::vector<Place> places(const Command& program);
-
-/// Where this command stands, also if it is hidden.
-[[nodiscard]] Place place_of(const Command& command, const Command& program);
+/// The program and all that is below it, each command before its own; those that are hidden only if wanted.
+[[nodiscard]] std::vector<Place> places(const Command& program, bool with_hidden = false);
 
 /// What is said under one heading: of a command, but for its topics; then of each topic.
 struct Section {
@@ -30,9 +27,6 @@ struct Section {
     std::vector<Option> options{};
 };
 [[nodiscard]] std::vector<Section> sections(const Place& place);
-
-/// Every command has --help, though only the program's own table says so.
-[[nodiscard]] std::vector<Option> with_help(std::span<const Option> options);
 
 /// Whether it does something itself, and not only by the commands below it.
 [[nodiscard]] bool is_called(const Command& command);

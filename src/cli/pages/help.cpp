@@ -56,8 +56,8 @@ std::string whole(const Place& place, std::string_view topic) {
     if (section == all.end()) {
         throw InputError(fmt::format("there is no help about '{}'; see {} --help", topic, place.name));
     }
-    std::vector<Option> arguments, options;
-    for (const Option& option : with_help(section->options)) {
+    std::vector<Option> arguments, options{help_option};
+    for (const Option& option : section->options) {
         (option.is_argument() ? arguments : options).push_back(option);
     }
     const std::string topics = place.command->topic_names(" | ");
@@ -95,9 +95,9 @@ std::string examples_text(std::string_view description) {
 }
 
 std::string one_screen(const Place& place) {
-    std::string options, footer;
-    for (const Option& option : with_help(place.command->options)) {
-        options += (options.empty() ? "Options:\n  " : ", ") + std::string(option.name);
+    std::string options = fmt::format("Options:\n  {}", help_option.name), footer;
+    for (const Option& option : place.command->options) {
+        options += fmt::format(", {}", option.name);
     }
     for (const Block& block : blocks(place.footer)) {
         footer += '\n' + filled(fmt::format("{}", fmt::join(block.lines, " ")), "", screen_columns);
@@ -110,7 +110,8 @@ std::string one_screen(const Place& place) {
 }  // namespace
 
 std::string help(const Command& program, const Command& command, std::string_view topic) {
-    const Place place = place_of(command, program);
+    const auto all = places(program, true);
+    const Place& place = *std::ranges::find(all, &command, &Place::command);
     return is_called(command) ? whole(place, topic) : one_screen(place);
 }
 

@@ -61,6 +61,7 @@ std::string man_page(const Command& program) {
     page += ".fi\n.SH DESCRIPTION\n";
     add_groff(page, program.text);
     page += ".SH OPTIONS\n";
+    add_groff_options(page, std::array{help_option});
     add_groff_options(page, program.options);
     page += ".SH COMMANDS\nEach has a \\fB\\-\\-help\\fR of its own.\n";
     for (const Place& place : std::span(all).subspan(1)) {

@@ -53,8 +53,7 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK_THAT(refused_body({"--rho", "1/2:2", "--inertia", "9"}), Contains("--rho is d2/d1"));
     CHECK_THAT(refused_body({"--rho", "3/4", "--inertia", "1/2:2"}),
                Contains("inertia times rho is at least 1"));
-    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}),
-               Contains("--scene body needs --rho and --inertia"));
+    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--list is for mass ratios"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {

@@ -20,7 +20,7 @@ std::string without_backslashes(std::string page) {
 }
 
 // What bash would offer for the last of the words.
-std::vector<std::string> offered(const Words& words, const std::string& folder = ".") {
+Words offered(const Words& words, const std::string& folder = ".") {
     const std::string bin = std::filesystem::path(DUMBBELL_BIN).parent_path().string();
     std::string script =
         "PATH=" + bin + ":$PATH; source <(" DUMBBELL_BIN " generate completion); COMP_WORDS=(";
@@ -32,13 +32,7 @@ std::vector<std::string> offered(const Words& words, const std::string& folder =
     const Outcome result = run({"bash", "-c", script}, folder);
     CHECK(result.code == 0);
     CHECK(result.err.empty());
-    std::vector<std::string> lines;
-    for (std::size_t from = 0; from < result.out.size();) {
-        const std::size_t end = result.out.find('\n', from);
-        lines.push_back(result.out.substr(from, end - from));
-        from = end + 1;
-    }
-    return lines;
+    return lines_of(result.out);
 }
 
 }  // namespace

@@ -12,15 +12,6 @@ Outcome help_of(Words command, const Words& topic = {}) {
     return dumbbell(command);
 }
 
-std::size_t longest_line(const std::string& text) {
-    std::size_t longest = 0;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        longest = std::max(longest, line.size());
-    }
-    return longest;
-}
-
 long occurrences(const std::string& text, const std::string& words) {
     long n = 0;
     for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
@@ -55,7 +46,7 @@ TEST_CASE("every command has a help, of topics too, that says of each option wha
             CHECK(help.code == 0);
             CHECK(help.err.empty());
             CHECK(occurrences(help.out, "Exit code") == 1);
-            CHECK(longest_line(help.out) <= 120);
+            CHECK(std::ranges::max(lines_of(help.out), {}, &std::string::size).size() <= 120);
             all += help.out;
         }
         for (const ListedOption& option : command.options) {
@@ -68,7 +59,7 @@ TEST_CASE("every command has a help, of topics too, that says of each option wha
     }
 }
 
-TEST_CASE("the help of certify fits one screen; bodies and lists have a help of their own") {
+TEST_CASE("the help of certify fits one screen, and bodies and lists have a help of their own") {
     const std::string help = help_of({"certify"}).out, bodies = help_of({"certify"}, {"bodies"}).out;
     CHECK(count_lines(help) <= 45);
     CHECK(occurrences(help, "not with") == 0);
@@ -98,7 +89,7 @@ TEST_CASE("the help of a command that only has commands fits one screen, a line 
         const std::string help = help_of(parent).out;
         CAPTURE(parent, help);
         CHECK(count_lines(help) <= 30);
-        CHECK(longest_line(help) <= 100);
+        CHECK(std::ranges::max(lines_of(help), {}, &std::string::size).size() <= 100);
         for (const std::string& command : below) {
             CHECK(occurrences(help, "\n  " + command + " ") == 1);
         }

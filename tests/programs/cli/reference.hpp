@@ -2,8 +2,6 @@
 // page, completion and bad input take their commands and options from.
 #pragma once
 
-#include <sstream>
-
 #include "programs.hpp"
 
 namespace dumbbell_test {
@@ -49,8 +47,7 @@ inline std::string unescaped(const std::string& text) {
 inline std::vector<ListedCommand> listed_commands() {
     const std::string heading = "## dumbbell", row = "| `";
     std::vector<ListedCommand> commands;
-    std::istringstream lines(dumbbell({"generate", "reference"}).out);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(dumbbell({"generate", "reference"}).out)) {
         if (line.rfind(heading, 0) == 0) {
             commands.emplace_back();
             std::istringstream words(line.substr(heading.size()));
