@@ -45,7 +45,7 @@ constexpr const char* program_footer =
     "or\n"
     "143 stopped by SIGINT (Ctrl-C) or SIGTERM.";
 
-constexpr std::array program_options{help_option, version_option};
+constexpr std::array program_options{version_option};
 
 constexpr std::array program_commands{&certify_command,   &critical_command, &join_command,    &trace_command,
                                       &adiabatic_command, &verify_command,   &audit_command,   &law_command,
@@ -58,33 +58,20 @@ std::string version_text() {
 
 /// GMP (and MPFR by it) and FLINT (and Arb by it) would abort the program, and an exception must not pass
 /// through their C functions.
-[[noreturn]] void out_of_memory() {
-    std::fputs("dumbbell: out of memory\n", stderr);
-    std::_Exit(exit_internal);
-}
-
-void* allocate(std::size_t size) {
-    void* block = std::malloc(size);
+void* usable(void* block) {
     if (block == nullptr) {
-        out_of_memory();
+        std::fputs("dumbbell: out of memory\n", stderr);
+        std::_Exit(exit_internal);
     }
     return block;
 }
+
+void* allocate(std::size_t size) { return usable(std::malloc(size)); }
+
+void* allocate_zeros(std::size_t number, std::size_t size) { return usable(std::calloc(number, size)); }
 
 void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
-    void* block = std::realloc(old, size);
-    if (block == nullptr) {
-        out_of_memory();
-    }
-    return block;
-}
-
-void* allocate_zeros(std::size_t number, std::size_t size) {
-    void* block = std::calloc(number, size);
-    if (block == nullptr) {
-        out_of_memory();
-    }
-    return block;
+    return usable(std::realloc(old, size));
 }
 
 void* reallocate_block(void* old, std::size_t size) { return reallocate(old, 0, size); }
@@ -101,11 +88,11 @@ void occupy_closed_streams() {
     }
 }
 
-/// With the words that other programs understand: `help COMMAND...`, `version`.
+/// With the words that other programs understand: `help COMMAND... TOPIC`, `version`.
 std::vector<std::string> usual_words(std::vector<std::string> words) {
     if (!words.empty() && words[0] == "help") {
-        words.erase(words.begin());
-        words.emplace_back("--help");
+        words[0] = "--help";
+        std::swap(words.front(), words[std::min<std::size_t>(1, words.size() - 1)]);
     } else if (!words.empty() && words[0] == "version") {
         words[0] = "--version";
     }

@@ -11,21 +11,14 @@
 
 namespace dumbbell::cli {
 
-using adiabatic::Claim;
-
 namespace {
 
 constexpr std::size_t most_statements = 100'000;
 
-std::vector<std::string> list_of(const std::string& text) {
-    const auto parts = split(text, ',');
-    return {parts.begin(), parts.end()};
-}
-
 std::vector<Rational> parse_list(const char* option, const std::string& text) {
     std::vector<Rational> numbers;
-    for (const std::string& part : list_of(text)) {
-        numbers.push_back(parse_number(option, part));
+    for (const std::string_view part : split(text, ',')) {
+        numbers.push_back(parse_number(option, std::string(part)));
     }
     return numbers;
 }
@@ -34,8 +27,8 @@ std::vector<Rational> parse_list(const char* option, const std::string& text) {
 std::vector<Rational> parse_margins(const std::string& text) {
     constexpr int bits = 128, digits = 12;
     std::vector<Rational> margins;
-    for (const std::string& part : list_of(text)) {
-        const auto [margin, end] = starts::parse_angles("--phi-margin", part);
+    for (const std::string_view part : split(text, ',')) {
+        const auto [margin, end] = starts::parse_angles("--phi-margin", std::string(part));
         if (!(margin == end)) {
             throw InputError(fmt::format("--phi-margin takes distances, no range: '{}'", shortened(part)));
         }
@@ -69,14 +62,11 @@ std::string text_or(const Given& given, std::string_view option, const char* oth
 }
 
 void require_applicable(const Given& given, adiabatic::Claim claim) {
-    const auto refuse = [&](const char* option, const char* where) {
-        throw InputError(fmt::format("{} is for {} only", option, where));
-    };
     if (given.has("--k") && given.text("--theorem") != "cor3.2") {
-        refuse("--k", "--theorem cor3.2");
+        throw InputError("--k is for --theorem cor3.2 only");
     }
     if (given.has("--y") && claim == adiabatic::Claim::scattering) {
-        refuse("--y", "lemma3.1, cor3.2 and thm3.3");
+        throw InputError("--y is for lemma3.1, cor3.2 and thm3.3 only");
     }
 }
 

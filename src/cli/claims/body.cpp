@@ -22,7 +22,9 @@ collisions::Claim rod_of(const Given& given) {
 
 collisions::Claim given_numbers(const Given& given) {
     if (!given.has("--rho") || !given.has("--inertia")) {
-        throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
+        throw InputError(given.has("--list")
+                             ? "--list is for mass ratios, not for a body"
+                             : "--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
     }
     return collisions::claim_of_body(given.text("--rho"), given.text("--inertia"));
 }

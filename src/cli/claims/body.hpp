@@ -9,15 +9,17 @@ namespace dumbbell::cli {
 
 /// Which body, of the scene body.
 inline constexpr std::array body_options{
-    Option{"--rho", "RHO",
-           "scene body: d2/d1 of the distances of the contacts from the centre of mass, or LO:HI"},
-    Option{"--inertia", "Q", "scene body: (d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs(
-        "--rho"),
+    Option{"--rho", "RHO", "d2/d1 of the distances of the contacts from the centre of mass, or LO:HI"}.of(
+        "bodies"),
+    Option{"--inertia", "Q", "(d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs("--rho").of(
+        "bodies"),
     flag("--coin",
          "a thin coin that turns in a plane, about a horizontal diameter: --scene body --rho 1 --inertia 4")
-        .excludes("--rho,--inertia,--rod-mass"),
+        .excludes("--rho,--rod-mass")
+        .of("bodies"),
     Option{"--rod-mass", "MU", "the dumbbell RATIO with a uniform rod of MU times the mass of both ends"}
-        .excludes("--rho,--inertia")};
+        .excludes("--rho")
+        .of("bodies")};
 
 /// Whether an option says that the claim is about a body with mass between its contacts.
 [[nodiscard]] bool is_about_body(const Given& given);

@@ -43,9 +43,7 @@ Examples:
   dumbbell adiabatic --delta 0.01 --theorem thm3.5 --out scattering.dbc)";
 
 constexpr const char* adiabatic_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
+    R"(Exit codes: 0 certified; 1 internal error; 2 wrong usage or input; 3 not certified within the budget; 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array adiabatic_options =

@@ -20,9 +20,7 @@ dumbbell verify does.
 Example: dumbbell audit certificates/stairs-1-100.dbc)";
 
 constexpr const char* audit_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
+    R"(Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
 constexpr std::array audit_options{
     argument("FILE", "certificates about mass ratios, with covers (-: the standard input)")

@@ -38,45 +38,52 @@ constexpr const char* certify_description =
     R"(Prove the greatest number of collisions for a mass ratio, or every ratio of a range.
 
 RATIO is q = heavy mass / light mass: 10, 4.6, 1e6 or 9/2, exactly as written. LO:HI is a closed range. Below 1 the
-masses are swapped. Dumbbells and bodies move in a vertical plane; in space there may be more collisions.
+masses are swapped. The dumbbell moves in a vertical plane; in space there may be more collisions.
 
 Examples:
   dumbbell certify 10                          at most 4 collisions, 4 occur, and a start that has them
   dumbbell certify 10 --witness                ... and print an orbit that has them
   dumbbell certify 1:100 --out stairs.dbc      every mass ratio from 1 to 100, with a certificate
   dumbbell certify 4.6:4.61 --gap 1e-9 --json  a narrower gap around the critical ratio, for scripts
-  dumbbell certify --coin                      a thin coin, in a plane; proofs/body.md says what bodies are
-  dumbbell certify 10 --rod-mass 1/100         the rod has a hundredth of the mass of its ends
   dumbbell certify 1:1e8 --gap 1e-9 --part 7/64 --out part-07.dbc    one of 64 parts, for dumbbell join
-  dumbbell certify --list ratios.txt --out answers   each ratio of a file, with a folder of certificates
 
 With --out FILE a range keeps its finished pieces in FILE.partial/. If it is stopped (Ctrl-C), killed or out of time,
 the same command goes on from there, and ends with the same file.
 
---list FILE answers each line of FILE: a ratio, a range, or the first column of CSV. # begins a comment. A line that is
-wrong does not stop the others: its row says what is wrong with it. With --out the same command goes on with the lines
-that have no certificate yet; until all have one, dumbbell-verify refuses the folder's claims.tsv.
-
 No law is used. dumbbell law --ratio RATIO says what the law for every mass ratio says of one, up to 10^1000.)";
 
 constexpr const char* certify_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not decided (within the
+    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not decided (within the
 budget); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are reported, FILE is not written.)";
+
+constexpr std::array certify_topics{
+    Topic{
+        "bodies", "Prove it of a rigid body with mass between its two contacts, or of a range of them.",
+        R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia. It moves in a vertical plane; in space nothing
+bounds a coin. proofs/body.md says what bodies are.
+
+Examples:
+  dumbbell certify --coin                          a thin coin: at most 4 collisions, and 4 occur
+  dumbbell certify 10 --rod-mass 1/100             the rod has a hundredth of the mass of its ends
+  dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin)"},
+    Topic{
+        "lists", lists_text,
+        R"(--out names a new folder, for the certificates. The same command goes on with the lines that have none yet; until all
+have one, dumbbell-verify refuses the folder's claims.tsv. --list does not go with --part, --witness or --quiet.
+
+Example:
+  dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates)"}};
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
-    std::array{
-        list_option.excludes("RATIO,--rho,--inertia,--coin,--rod-mass,--part,--witness,--quiet"),
-        strict_option, part_option, certificates_option, jobs_option,
-        budget_option.saying("give up after this time: 30s, 10m, 2h"),
-        flag("--witness",
-             "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
-             "collisions, also a start in the air for trace, where one is found")
-            .excludes("--quiet"),
-        json_option,
-        flag("--quiet", "no table and no progress: what is proved, in a sentence").excludes("--witness")});
+    std::array{list_option.excludes("RATIO,--part,--witness,--quiet"), strict_option, part_option,
+               certificates_option, jobs_option,
+               budget_option.saying("give up after this time: 30s, 10m, 2h"),
+               flag("--witness",
+                    "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
+                    "collisions, also a start in the air for trace, where one is found")
+                   .excludes("--quiet"),
+               json_option, flag("--quiet", "no table and no progress: what is proved, in a sentence")});
 
 std::optional<collisions::RatioPart> part_of(const Given& given, const collisions::Claim& whole) {
     if (!given.has("--part")) {
@@ -153,7 +160,6 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
 
 std::vector<const collisions::Piece*> pieces_of(const std::vector<ProvedPiece>& proved) {
     std::vector<const collisions::Piece*> pieces;
-    pieces.reserve(proved.size());
     for (const ProvedPiece& p : proved) {
         pieces.push_back(&p.piece);
     }
@@ -225,10 +231,7 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
 
 int run_certify(const Given& given) {
     const bool body = is_about_body(given);
-    if (given.has("--list")) {
-        if (body) {
-            throw InputError("--list is for mass ratios, not for a body");
-        }
+    if (given.has("--list") && !body) {
         // What is wrong with an option is no line's fault.
         const CertifyRequest request = certify_request(given, RatioArgument{1, 1});
         return answer_list(
@@ -286,7 +289,8 @@ int run_certify(const Given& given) {
 
 }  // namespace
 
-constinit const Command certify_command{"certify",      "Prove",         certify_description,
-                                        certify_footer, certify_options, stoppable<run_certify>};
+constinit const Command certify_command{
+    "certify", "Prove", certify_description, certify_footer, certify_options, stoppable<run_certify>,
+    {},        nullptr, certify_topics};
 
 }  // namespace dumbbell::cli

@@ -38,9 +38,7 @@ Examples:
 Beyond N = 10^17: dumbbell law --count 1e50 encloses one critical ratio by the law for every mass ratio.)";
 
 constexpr const char* critical_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished within the budget; 130 or 143 stopped by
+    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage or input; 3 not finished within the budget; 130 or 143 stopped by
 SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
@@ -69,9 +67,9 @@ void check_time(const critical::Request& request, bool quiet) {
     const std::string text = time_text(time.count());
     if (time > long_time) {
         throw InputError(
-            fmt::format("this would take about {} ({} thread{}): ask for less, or give a --budget, for "
+            fmt::format("this would take about {} ({}): ask for less, or give a --budget, for "
                         "example --budget 2h",
-                        text, request.jobs, request.jobs == 1 ? "" : "s"));
+                        text, plural(request.jobs, "thread")));
     }
     if (time > some_time && !quiet) {
         remark("this will take about " + text);

@@ -35,9 +35,7 @@ Examples:
   dumbbell join part-*.tsv --range 3:902 --out ratios.tsv    tables of critical ratios)";
 
 constexpr const char* join_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 joined; 1 internal error; 2 wrong usage or input, or a part that is wrong or missing; 3 a part has
+    R"(Exit codes: 0 joined; 1 internal error; 2 wrong usage or input, or a part that is wrong or missing; 3 a part has
 something open; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM. FILE is written with 0, and, with --open, with 3.)";
 
 constexpr std::array join_options{

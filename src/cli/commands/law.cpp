@@ -31,29 +31,31 @@ first. --prove makes it.
 
 --ratio says what the law says of one mass ratio up to 10^1000: N(q), or the two values that remain where q is too near
 a step. --count encloses one critical ratio q_c(N), at which the maximum steps from N - 1 to N. Both rest on that
-certificate, and name its SHA-256; they do not verify it again.
+certificate, and name its SHA-256; they do not verify it again. --ratio, --count, --list and --prove exclude each other.
 
 Examples:
   dumbbell law                                the law for every mass ratio, verified
   dumbbell law --ratio 1e100                  N at q = 10^100
-  dumbbell law --list ratios.txt              N at each ratio of a file
   dumbbell law --count 1e50                   the ratio at which the maximum steps to 10^50
   dumbbell law --prove --out law.dbc          make its certificate again)";
 
 constexpr const char* law_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 proved; 1 internal error; 2 wrong usage, also of one line of a list, or a certificate that is not
+    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage, also of one line of a list, or a certificate that is not
 verified; 3 two values remain (--ratio, --list); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+
+constexpr std::array law_topics{Topic{"lists", lists_text,
+                                      R"(--list does not go with --digits or --quiet.
+
+Example:
+  dumbbell law --list ratios.txt              N at each ratio of a file)"}};
 
 constexpr std::array law_options{
     Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes(
         "--count,--prove"),
     list_option.excludes("--ratio,--count,--prove,--digits,--quiet"),
     strict_option,
-    Option{"--count", "N", "enclose the critical ratio q_c(N), N from 903 to 10^100"}.excludes(
-        "--ratio,--prove"),
-    flag("--prove", "prove the law's computed part anew").excludes("--ratio,--count"),
+    Option{"--count", "N", "enclose the critical ratio q_c(N), N from 903 to 10^100"}.excludes("--prove"),
+    flag("--prove", "prove the law's computed part anew"),
     certificate_option.needs("--prove"),
     jobs_option.needs("--prove,--list"),
     Option{"--digits", "N", "digits of C and c0, all of them proved", "50"}.from(1, 1000).excludes(
@@ -176,6 +178,7 @@ int run_law(const Given& given) {
 
 }  // namespace
 
-constinit const Command law_command{"law", "Check", law_description, law_footer, law_options, run_law};
+constinit const Command law_command{"law",   "Check", law_description, law_footer, law_options,
+                                    run_law, {},      nullptr,         law_topics};
 
 }  // namespace dumbbell::cli

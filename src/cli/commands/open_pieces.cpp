@@ -18,7 +18,7 @@ bool is_range(const CertifyRequest& request) { return !request.claim.range.is_si
 
 /// What hinders the first open piece that was not only late; else time.
 Obstacle worst_obstacle(const std::vector<ProvedPiece>& pieces) {
-    const auto found = std::find_if(pieces.begin(), pieces.end(), [](const ProvedPiece& p) {
+    const auto found = std::ranges::find_if(pieces, [](const ProvedPiece& p) {
         return p.obstacle != Obstacle::none && p.obstacle != Obstacle::time;
     });
     return found == pieces.end() ? Obstacle::time : found->obstacle;
@@ -45,7 +45,7 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
         (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);
     }
-    const char* wider = is_range(request) ? ", or a wider --gap" : "";
+    const char* wider = is_range(request) ? ": try a wider --gap" : "";
     const int most_bits = piece_options(system).max_bits;
     switch (obstacle) {
         case Obstacle::maximum:
@@ -53,14 +53,13 @@ std::string reason(const CertifyRequest& request, Obstacle obstacle) {
         case Obstacle::witness:
             return fmt::format(
                 ": found no orbit with so many collisions that fits a certificate ({} binary places) and "
-                "that "
-                "{} bits can follow{}",
-                most_binary_places, most_bits, is_range(request) ? ": try a wider --gap" : "");
+                "that {} bits can follow{}",
+                most_binary_places, most_bits, wider);
         case Obstacle::boxes:
-            return fmt::format(": too many boxes, even with {} bits{}", most_bits,
-                               is_range(request) ? ": try a wider --gap" : "");
+            return fmt::format(": too many boxes, even with {} bits{}", most_bits, wider);
         default:
-            return fmt::format(": allow more time (--budget){}", wider);
+            return fmt::format(": allow more time (--budget){}",
+                               is_range(request) ? ", or a wider --gap" : "");
     }
 }
 

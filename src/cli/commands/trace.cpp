@@ -43,10 +43,6 @@ before a collision, in the metric of the kinetic energy: the sine of the angle b
 trajectories (theorem 1 of proofs/theorem.md) where that is less. Up to a ratio of 10^12 a certificate has the same
 bounds.
 
-Of a body (--coin, --rod-mass, or --rho with --inertia), in a plane, too, the light end is the one at the distance d1
-from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds until a corner is met.
-There is no certificate of it.
-
 Examples:
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2               one orbit
   dumbbell trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --digits 50   the same with 50 digits
@@ -54,16 +50,29 @@ Examples:
   dumbbell trace 10 --phi pi/6:pi/3 --phidot 0 --y 3 --ydot -1           a box
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --out falling.dbc
   dumbbell trace 10 --phi 0:3 --phidot -1/2:1/2 --y 3/2 --ydot -1 --subdivide --shares
-  dumbbell trace --list ratios.txt --phi 1/3 --phidot 1 --y 3 --ydot -1/2    at each ratio of a file
-  dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?
-  dumbbell trace --coin --phi 1/3 --phidot 1 --y 3 --ydot -1/2           a body with mass between its contacts)";
+  dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
 
 constexpr const char* trace_footer =
-    R"(The fields of --json: docs/reference/json.md.
-
-Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not
+    R"(Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not
 decided at this precision, or at any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+
+constexpr std::array trace_topics{
+    Topic{
+        "bodies", "Follow a rigid body with mass between its two contacts.",
+        R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia, which are numbers here. The light end is the one
+at the distance d1 from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds in a
+plane, and until a corner is met. There is no certificate of it.
+
+Example:
+  dumbbell trace --coin --phi 1/3 --phidot 1 --y 3 --ydot -1/2)"},
+    Topic{
+        "lists", lists_text,
+        R"(Each ratio has the same start. With --subdivide, --out names a new folder, for the certificates. --list does not go
+with --quiet.
+
+Example:
+  dumbbell trace --list ratios.txt --phi 1/3 --phidot 1 --y 3 --ydot -1/2    at each ratio of a file)"}};
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
@@ -80,15 +89,15 @@ constexpr std::array start_options{
     quantity_option("--y", "height of the centre of mass, rod lengths"),
     quantity_option("--ydot", "its velocity (downwards: negative)"),
     flag("--incoming",
-         "with --subdivide, instead of these four: all trajectories that come in from above, by the natural "
+         "with --subdivide, instead of these four and without --digits: all trajectories that come in from "
+         "above, by the natural "
          "measure (L61 of proofs/lemmas.md)")
         .needs("--subdivide")
         .excludes("--phi,--phidot,--y,--ydot,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
     certificates_option
         .saying(
-            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output; "
-            "with --list: a new folder, for all of them")
+            "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output")
         .needs("--subdivide"),
     flag("--shares",
          "with --subdivide: how likely each number of collisions is, as proved bounds of its share")
@@ -104,8 +113,7 @@ constexpr std::array start_options{
         .from(1, starts::most_trace_digits),
     jobs_option,
     json_option.excludes("--quiet"),
-    flag("--quiet", "the outcome alone: a sentence, and with --subdivide the table of what was decided")
-        .excludes("--json")};
+    flag("--quiet", "the outcome alone: a sentence, and with --subdivide the table of what was decided")};
 
 constexpr auto trace_options = joined(start_options, body_options);
 
@@ -191,12 +199,6 @@ void bound_by_maximum(starts::TraceReport& report, const std::optional<long>& ma
     }
 }
 
-void print(std::FILE* out, const Given& given, const starts::TraceReport& report, bool swapped) {
-    const bool explains = swapped && !given.has("--json") && !given.has("--quiet");
-    fmt::print(out, "{}{}", explains ? "Ratios below 1: the masses are swapped, q -> 1/q.\n" : "",
-               shown(report, given));
-}
-
 /// But for what is found.
 starts::TraceReport report_at(const Given& given, const System& system) {
     const int digits = given.has("--digits") ? static_cast<int>(given.number("--digits")) : 0;
@@ -280,10 +282,7 @@ ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std:
 
 int run_trace(const Given& given) {
     require_start(given);
-    if (given.has("--list")) {
-        if (is_about_body(given)) {
-            throw InputError("--list is for mass ratios, not for a body");
-        }
+    if (given.has("--list") && !is_about_body(given)) {
         return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
             return trace_line(given, ratio, out);
         });
@@ -304,13 +303,15 @@ int run_trace(const Given& given) {
         });
         report.out = output.file();
     }
-    print(output.report(), given, report, system.ratio.swapped);
+    const bool explains = system.ratio.swapped && !given.has("--json") && !given.has("--quiet");
+    fmt::print(output.report(), "{}{}", explains ? masses_are_swapped : "", shown(report, given));
     return is_certified(report) ? exit_done : exit_not_certified;
 }
 
 }  // namespace
 
 constinit const Command trace_command{"trace",      "Prove",       trace_description,
-                                      trace_footer, trace_options, stoppable<run_trace>};
+                                      trace_footer, trace_options, stoppable<run_trace>,
+                                      {},           nullptr,       trace_topics};
 
 }  // namespace dumbbell::cli

@@ -14,21 +14,20 @@
 /// `--list FILE`: what a command says of one mass ratio, for many, in the same way for every command.
 namespace dumbbell::cli {
 
-inline constexpr Option list_option = Option{
-    "--list", "FILE",
-    "the ratios that FILE has, one a line (-: the standard input), instead of RATIO: a table with tabs, "
-    "or with --json a line of JSON each"};
-/// --out of a command that writes certificates and takes --list.
-inline constexpr Option certificates_option =
-    certificate_option
-        .saying(
-            "write the certificate to FILE (FILE.gz: compressed); -: the standard output; with --list: a new "
-            "folder, for all of them")
-        .checked([](const std::string& name) {
-            return name.empty() ? fault_of_name(name, std::nullopt) : std::string();  // it may be a folder's
-        });
+inline constexpr Option list_option =
+    Option{"--list", "FILE", "the ratios that FILE has, one a line (-: the standard input)"}.of("lists");
 inline constexpr Option strict_option =
-    flag("--strict", "with --list: stop at the first line that is no mass ratio").needs("--list");
+    flag("--strict", "stop at the first line that is no mass ratio").needs("--list").of("lists");
+/// What every command says of them, which ends with examples of its own.
+inline constexpr const char* lists_text =
+    R"(Answer each line of a file: a table with tabs, or with --json a line of JSON each.
+
+A line is a mass ratio, a range where the command takes one, or the first column of CSV. # begins a comment. A line that
+is wrong does not stop the others: its row says what is wrong with it.)";
+/// --out of a command that writes certificates and takes --list.
+inline constexpr Option certificates_option = certificate_option.checked([](const std::string& name) {
+    return name.empty() ? fault_of_name(name, std::nullopt) : std::string();  // it may be a folder's
+});
 
 /// Bounds of the number of collisions, for every mass ratio of [q_lo, q_hi].
 struct ListRow {

@@ -26,6 +26,7 @@ struct Option {
     bool is_repeated = false;     ///< takes any number of words
     std::string_view needed{};    ///< options, one of which it needs to mean anything, with commas between
     std::string_view excluded{};  ///< options that cannot be given with it, with commas between
+    std::string_view topic{};     ///< the topic that it belongs to; empty: none
 
     /// The same option with another value of a property.
     template <class T>
@@ -48,6 +49,7 @@ struct Option {
     [[nodiscard]] constexpr Option excludes(std::string_view options) const {
         return with(&Option::excluded, options);
     }
+    [[nodiscard]] constexpr Option of(std::string_view which) const { return with(&Option::topic, which); }
     [[nodiscard]] constexpr Option saying(std::string_view words) const { return with(&Option::text, words); }
 
     [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
@@ -71,6 +73,14 @@ template <std::size_t... n>
     return all;
 }
 
+/// What only some users of a command need, by options that belong to it. It has a help of its own: --help
+/// NAME. Options of different topics exclude each other.
+struct Topic {
+    std::string_view name;
+    std::string_view text;      ///< paragraphs
+    std::string_view examples;  ///< of one command, and what else it alone says
+};
+
 struct Command {
     std::string_view name;
     std::string_view group;   ///< the heading over it in a help; empty: it is not shown
@@ -82,9 +92,16 @@ struct Command {
     std::span<const Command* const> commands{};
     /// Starts another program instead, which reads its own command line: the words after the name.
     void (*become)(const std::vector<std::string>& words) = nullptr;
+    std::span<const Topic> topics{};
 
     /// The command of this name below it, or null.
     [[nodiscard]] const Command* below(std::string_view name) const;
+    /// Of those below it that its help shows.
+    [[nodiscard]] std::vector<std::string> command_names() const;
+    /// All names of its options, and --help.
+    [[nodiscard]] std::vector<std::string> option_names() const;
+    /// Of its topics, in one text.
+    [[nodiscard]] std::string topic_names(const char* between) const;
 };
 
 /// Of a command below another: the group, if there is but one, and the footer, if it is that of the one
@@ -92,7 +109,7 @@ struct Command {
 inline constexpr const char* one_group = "Commands";
 inline constexpr const char* inherited = "";
 
-/// What every command has; --version the program alone.
+/// What every command has, though its table does not say so; --version the program alone.
 inline constexpr Option help_option = flag("-h,--help", "Print this help message and exit");
 inline constexpr Option version_option = flag("-V,--version", "Display program version information and exit");
 
@@ -102,6 +119,6 @@ inline constexpr Option jobs_option =
 inline constexpr Option budget_option = Option{"--budget", "TIME", "stop after this time: 30s, 10m, 2h"};
 inline constexpr Option part_option =
     Option{"--part", "K/N", "the K-th of N parts of a range, of about equal cost (dumbbell join)"};
-inline constexpr Option json_option = flag("--json", "one JSON object on stdout");
+inline constexpr Option json_option = flag("--json", "one JSON object on stdout (docs/reference/json.md)");
 
 }  // namespace dumbbell::cli

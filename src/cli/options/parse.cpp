@@ -117,14 +117,16 @@ CommandLine parse(const Command& program, const std::string& version, const std:
         line.answer = version + "\n";
     } catch (const CLI::CallForHelp&) {
         collect(app, program, line);
-        fault = unknown_command(program, words);
-        line.answer = pages::help(program, *line.command);
+        fault = wrong_command(program, words, true);
+        const std::string& last = words.back();  // the command that was asked about, or a topic of it
+        const bool is_topic = !last.starts_with('-') && last != line.command->name;
+        line.answer = pages::help(program, *line.command, is_topic ? last : "");
     } catch (const CLI::ParseError& error) {
         collect(app, program, line);
         fault = wrong(error, app, line, words);
     }
     if (line.answer.empty() && line.command->run == nullptr) {
-        fault = missing_command(program, words);
+        fault = wrong_command(program, words, false);
     }
     if (!fault.empty()) {
         throw InputError(fault + "; " + hint(program, words));

@@ -44,23 +44,11 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
                                                                 : "";
 }
 
-std::vector<std::string> names_of_options(const Command& command) {
-    std::vector<std::string> names{"--help"};
-    for (const Option& option : command.options) {
-        names.push_back(option.names().back());
-    }
-    return names;
-}
-
-/// The commands that --help of this one shows.
-std::vector<std::string> names_of_commands(const Command& command) {
-    std::vector<std::string> names;
-    for (const Command* below : command.commands) {
-        if (!below->group.empty()) {
-            names.emplace_back(below->name);
-        }
-    }
-    return names;
+/// Options of different topics exclude each other, whatever the table says of them.
+bool excludes(const Option& option, const Option& other) {
+    const auto excluded = split(option.excluded, ',');
+    const bool are_apart = !option.topic.empty() && !other.topic.empty() && option.topic != other.topic;
+    return are_apart || std::ranges::find(excluded, other.name) != excluded.end();
 }
 
 }  // namespace
@@ -74,49 +62,32 @@ std::string hint(const Command& program, const std::vector<std::string>& words) 
             command = below;
             called += " " + word;
         } else if (suggestion.empty() && word.starts_with("--")) {
-            suggestion = meant(word.substr(0, word.find('=')), names_of_options(*command));
+            suggestion = meant(word.substr(0, word.find('=')), command->option_names());
         } else if (suggestion.empty() && !word.starts_with('-')) {
-            suggestion = meant(word, names_of_commands(*command));
+            suggestion = meant(word, command->command_names());
         }
     }
     return fmt::format("{}see {} --help", suggestion, called);
 }
 
-std::string missing_command(const Command& program, const std::vector<std::string>& words) {
+std::string wrong_command(const Command& program, const std::vector<std::string>& words, bool asks_help) {
     const Command* command = &program;
     std::string called;  // empty: the program itself
     for (const std::string& word : words) {
         const std::string here = called.empty() ? "there is" : called + " has";
+        const bool is_option = word.starts_with('-');
         if (const Command* below = command->below(word)) {
             command = below;
             called += (called.empty() ? "" : " ") + word;
-        } else if (!word.starts_with('-')) {
-            return fmt::format("{} no command '{}'", here, word);
-        } else {
-            return fmt::format("{} no option '{}'", here, word);
+        } else if (command->commands.empty()) {
+            return "";
+        } else if (!is_option || !asks_help) {
+            return fmt::format("{} no {} '{}'", here, is_option ? "option" : "command", word);
         }
     }
-    return fmt::format("{} needs a command: {}", called.empty() ? program.name : called,
-                       fmt::join(names_of_commands(*command), ", "));
-}
-
-std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
-    const Command* command = &program;
-    std::vector<std::string> commands;
-    for (const std::string& word : words) {
-        if (command->run != nullptr || command->become != nullptr) {
-            break;
-        }
-        if (word.starts_with('-')) {
-            continue;
-        }
-        commands.push_back(word);
-        command = command->below(word);
-        if (command == nullptr) {
-            return missing_command(program, commands);
-        }
-    }
-    return "";
+    return asks_help ? ""
+                     : fmt::format("{} needs a command: {}", called.empty() ? program.name : called,
+                                   fmt::join(command->command_names(), ", "));
 }
 
 std::string unexpected(const std::vector<std::string>& words) {
@@ -144,9 +115,10 @@ std::string contradiction(const Given& given) {
             std::ranges::none_of(any_of, [&](std::string_view other) { return given.has(other); })) {
             return fmt::format("{} requires {}", option->name, fmt::join(any_of, " or "));
         }
-        for (const std::string_view other : split(option->excluded, ',')) {
-            if (!other.empty() && given.has(other)) {
-                return fmt::format("{} and {} exclude each other", option->name, other);
+        for (const auto& [other, words_of_other] : given.values()) {
+            if (!words_of_other.empty() && excludes(*option, *other)) {
+                return fmt::format("{} and {} exclude each other: leave one of them out", option->name,
+                                   other->name);
             }
         }
     }

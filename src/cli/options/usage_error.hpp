@@ -13,11 +13,10 @@ namespace dumbbell::cli {
 /// is spelled nearly so, and whose --help to read.
 [[nodiscard]] std::string hint(const Command& program, const std::vector<std::string>& words);
 
-/// Where a command should stand: what stands there instead, or which there are.
-[[nodiscard]] std::string missing_command(const Command& program, const std::vector<std::string>& words);
-
-/// In a call for help: the word that is no command where only commands stand; empty if there is none.
-[[nodiscard]] std::string unknown_command(const Command& program, const std::vector<std::string>& words);
+/// Where a command should stand: what stands there instead, or which there are. A call for help needs none;
+/// empty: nothing is wrong.
+[[nodiscard]] std::string wrong_command(const Command& program, const std::vector<std::string>& words,
+                                        bool asks_help);
 
 /// The words that nothing expected, in the order given.
 [[nodiscard]] std::string unexpected(const std::vector<std::string>& words);

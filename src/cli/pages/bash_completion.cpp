@@ -38,22 +38,12 @@ constexpr const char* tail = R"(    esac
 complete -F _dumbbell dumbbell dumbbell-verify
 )";
 
-/// Of all options; every command has --help, though its table does not say so. Those of the verifier are in
-/// its own help only.
+/// Of all options; those of the verifier are in its own help only.
 std::string names(const Command& command) {
     if (command.become != nullptr) {
         return R"sh("$(dumbbell-verify --help 2> /dev/null | sed -nE 's/^  (-., )?(--[a-z-]+).*/\2/p')")sh";
     }
-    std::vector<std::string> all;
-    for (const Option& option : command.options) {
-        if (!option.is_argument()) {
-            std::ranges::copy(option.names(), std::back_inserter(all));
-        }
-    }
-    if (std::ranges::find(all, "--help") == all.end()) {
-        all.emplace_back("--help");
-    }
-    return fmt::format("'{}'", fmt::join(all, " "));
+    return fmt::format("'{}'", fmt::join(command.option_names(), " "));
 }
 
 /// The cases in which the word before is an option that takes a value.
@@ -70,20 +60,19 @@ void add_values(std::string& script, const Place& place) {
             script += fmt::format("        '{} {}') {} ;;\n", place.name, name, then);
         }
     }
+    if (!place.command->topics.empty()) {
+        script +=
+            fmt::format("        '{} --help') words='{}' ;;\n", place.name, place.command->topic_names(" "));
+    }
 }
 
 /// The case of any other word before.
 void add_words(std::string& script, const Place& place) {
-    std::vector<std::string_view> words;
-    for (const Command* below : place.command->commands) {
-        if (!below->group.empty()) {
-            words.push_back(below->name);
-        }
-    }
     const bool files = std::ranges::any_of(place.command->options,
                                            [](const Option& o) { return o.is_argument() && is_file(o); });
-    script += fmt::format("        '{} '*) options={} words='{}' files={} ;;\n", place.name,
-                          names(*place.command), fmt::join(words, " "), files ? "yes" : "");
+    script +=
+        fmt::format("        '{} '*) options={} words='{}' files={} ;;\n", place.name, names(*place.command),
+                    fmt::join(place.command->command_names(), " "), files ? "yes" : "");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "base/fields.hpp"
 
 namespace dumbbell::cli::pages {
@@ -22,26 +21,13 @@ void collect(const Place& place, bool with_hidden, std::vector<Place>& all) {
     }
 }
 
+}  // namespace
+
 std::vector<Place> places(const Command& program, bool with_hidden) {
     std::vector<Place> all;
     const std::string name(program.name);
     collect({&program, name, program.footer}, with_hidden, all);
     return all;
-}
-
-std::string commas(std::string_view names) { return fmt::format("{}", fmt::join(split(names, ','), ", ")); }
-
-}  // namespace
-
-std::vector<Place> places(const Command& program) { return places(program, false); }
-
-Place place_of(const Command& command, const Command& program) {
-    const auto all = places(program, true);
-    const auto found = std::ranges::find(all, &command, &Place::command);
-    if (found == all.end()) {
-        throw BrokenInvariant("a command is not in the table");
-    }
-    return *found;
 }
 
 bool is_called(const Command& command) { return command.run != nullptr || command.become != nullptr; }
@@ -59,6 +45,20 @@ std::string usage(const Place& place) {
     return text;
 }
 
+std::vector<Section> sections(const Place& place) {
+    const Command& command = *place.command;
+    std::vector<Section> all{{"", usage(place), std::string(command.text), place.footer}};
+    for (const Topic& topic : command.topics) {
+        all.push_back({topic.name, fmt::format("{} --help {}", place.name, topic.name),
+                       fmt::format("{}\n\n{}", topic.text, topic.examples)});
+    }
+    for (Section& section : all) {
+        std::ranges::copy_if(command.options, std::back_inserter(section.options),
+                             [&](const Option& option) { return option.topic == section.topic; });
+    }
+    return all;
+}
+
 bool is_file(const Option& option) {
     const std::string_view value = option.is_argument() ? option.name : option.value;
     return value.starts_with("FILE");
@@ -66,7 +66,7 @@ bool is_file(const Option& option) {
 
 std::string spelling(const Option& option) {
     return fmt::format(
-        "{}{}{}{}", commas(option.name), option.is_argument() && option.is_repeated ? "..." : "",
+        "{}{}{}{}", fmt::join(option.names(), ", "), option.is_argument() && option.is_repeated ? "..." : "",
         option.is_argument() || option.is_flag() ? "" : " ", option.is_argument() ? "" : option.value);
 }
 
@@ -75,7 +75,6 @@ std::string meaning(const Option& option) {
     text += option.least < option.most ? fmt::format(" ({} to {})", option.least, option.most) : "";
     text += option.is_required && !option.is_argument() ? "; required" : "";
     text += option.standard.empty() ? "" : fmt::format("; default: {}", option.standard);
-    text += option.excluded.empty() ? "" : "; not with " + commas(option.excluded);
     return text;
 }
 

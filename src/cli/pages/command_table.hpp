@@ -15,11 +15,18 @@ struct Place {
     std::string_view footer;
 };
 
-/// The program and all that is below it, each command before its own; not those that are hidden.
-[[nodiscard]] std::vector<Place> places(const Command& program);
+/// The program and all that is below it, each command before its own; those that are hidden only if wanted.
+[[nodiscard]] std::vector<Place> places(const Command& program, bool with_hidden = false);
 
-/// Where this command stands, also if it is hidden.
-[[nodiscard]] Place place_of(const Command& command, const Command& program);
+/// What is said under one heading: of a command, but for its topics; then of each topic.
+struct Section {
+    std::string_view topic;  ///< empty: none
+    std::string heading;     ///< how the command is called, or how its help about the topic
+    std::string text;
+    std::string_view footer{};
+    std::vector<Option> options{};
+};
+[[nodiscard]] std::vector<Section> sections(const Place& place);
 
 /// Whether it does something itself, and not only by the commands below it.
 [[nodiscard]] bool is_called(const Command& command);
@@ -32,8 +39,7 @@ struct Place {
 /// The option as it is typed: `--out FILE`.
 [[nodiscard]] std::string spelling(const Option& option);
 
-/// What it means, with what it needs to be known: its range, required, the value without it, what it
-/// excludes.
+/// What it means, with what it needs to be known: its range, required, the value without it.
 [[nodiscard]] std::string meaning(const Option& option);
 
 /// A part of a description: lines that are one paragraph, or lines that stand as they are.

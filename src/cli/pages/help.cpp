@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/error.hpp"
 #include "cli/pages/command_table.hpp"
 #include "cli/pages/pages.hpp"
 
@@ -49,28 +50,21 @@ std::string rows(const char* heading, const std::vector<Option>& options) {
     return text;
 }
 
-/// Those that every command has come first; the program's own table has them.
-std::vector<Option> all_options(const Command& command, const Command& program) {
-    std::vector<Option> all(command.options.begin(), command.options.end());
-    if (&command != &program) {
-        all.insert(all.begin(), help_option);
+std::string whole(const Place& place, std::string_view topic) {
+    const auto all = sections(place);
+    const auto section = std::ranges::find(all, topic, &Section::topic);
+    if (section == all.end()) {
+        throw InputError(fmt::format("there is no help about '{}'; see {} --help", topic, place.name));
     }
-    return all;
-}
-
-std::string whole(const Place& place, const Command& program) {
-    const Command& command = *place.command;
-    std::string commands;
-    std::vector<Option> arguments, options;
-    for (const Option& option : all_options(command, program)) {
+    std::vector<Option> arguments, options{help_option};
+    for (const Option& option : section->options) {
         (option.is_argument() ? arguments : options).push_back(option);
     }
-    for (const Command* below : command.commands) {
-        commands += row(std::string(below->name), brief(*below));
-    }
-    return fmt::format("{}\nUsage: {}\n{}{}{}{}\n{}\n", command.text, usage(place),
+    const std::string topics = place.command->topic_names(" | ");
+    return fmt::format("{}\n\nUsage: {}\n{}{}{}\n{}\n", section->text, usage(place),
                        rows("Arguments", arguments), rows("Options", options),
-                       commands.empty() ? "" : "\nCommands:\n", commands, place.footer);
+                       topics.empty() ? "" : fmt::format("\nMore: {} --help {}\n", place.name, topics),
+                       place.footer);
 }
 
 std::string commands_text(const Command& command) {
@@ -100,10 +94,10 @@ std::string examples_text(std::string_view description) {
     return text;
 }
 
-std::string one_screen(const Place& place, const Command& program) {
-    std::string options, footer;
-    for (const Option& option : all_options(*place.command, program)) {
-        options += (options.empty() ? "Options:\n  " : ", ") + std::string(option.name);
+std::string one_screen(const Place& place) {
+    std::string options = fmt::format("Options:\n  {}", help_option.name), footer;
+    for (const Option& option : place.command->options) {
+        options += fmt::format(", {}", option.name);
     }
     for (const Block& block : blocks(place.footer)) {
         footer += '\n' + filled(fmt::format("{}", fmt::join(block.lines, " ")), "", screen_columns);
@@ -115,9 +109,10 @@ std::string one_screen(const Place& place, const Command& program) {
 
 }  // namespace
 
-std::string help(const Command& program, const Command& command) {
-    const Place place = place_of(command, program);
-    return is_called(command) ? whole(place, program) : one_screen(place, program);
+std::string help(const Command& program, const Command& command, std::string_view topic) {
+    const auto all = places(program, true);
+    const Place& place = *std::ranges::find(all, &command, &Place::command);
+    return is_called(command) ? whole(place, topic) : one_screen(place);
 }
 
 }  // namespace dumbbell::cli::pages

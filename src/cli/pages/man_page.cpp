@@ -30,17 +30,19 @@ void add_groff(std::string& page, std::string_view description) {
     }
 }
 
-void add_groff_options(std::string& page, const Command& command) {
-    for (const Option& option : command.options) {
+void add_groff_options(std::string& page, std::span<const Option> options) {
+    for (const Option& option : options) {
         page += fmt::format(".TP\n{}\n{}\n", bold(spelling(option)), groff(meaning(option)));
     }
 }
 
 void add_groff_command(std::string& page, const Place& place) {
-    page += ".SS " + groff(usage(place)) + "\n";
-    add_groff(page, place.command->text);
-    add_groff_options(page, *place.command);
-    add_groff(page, place.footer);
+    for (const Section& section : sections(place)) {
+        page += ".SS " + groff(section.heading) + "\n";
+        add_groff(page, section.text);
+        add_groff_options(page, section.options);
+        add_groff(page, section.footer);
+    }
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ std::string man_page(const Command& program) {
     page += ".fi\n.SH DESCRIPTION\n";
     add_groff(page, program.text);
     page += ".SH OPTIONS\n";
-    add_groff_options(page, program);
+    add_groff_options(page, std::array{help_option});
+    add_groff_options(page, program.options);
     page += ".SH COMMANDS\nEach has a \\fB\\-\\-help\\fR of its own.\n";
     for (const Place& place : std::span(all).subspan(1)) {
         add_groff_command(page, place);

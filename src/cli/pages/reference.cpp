@@ -24,17 +24,18 @@ void add_markdown(std::string& page, std::string_view description) {
 }
 
 void add_markdown_command(std::string& page, const Place& place) {
-    page += fmt::format("\n## {}\n\n    {}\n", place.name, usage(place));
-    add_markdown(page, place.command->text);
-    if (!place.command->options.empty()) {
-        page += "\n| | |\n| --- | --- |\n";
-        for (const Option& option : place.command->options) {
+    for (const Section& section : sections(place)) {
+        page += section.topic.empty() ? fmt::format("\n## {}\n\n    {}\n", place.name, section.heading)
+                                      : fmt::format("\n### {}\n", section.heading);
+        add_markdown(page, section.text);
+        page += section.options.empty() ? "" : "\n| | |\n| --- | --- |\n";
+        for (const Option& option : section.options) {
             // In a table a bar must be escaped, even in code.
             page += fmt::format("| `{}` | {} |\n", respelled(spelling(option), {{'|', "\\|"}}),
                                 markdown(meaning(option)));
         }
+        add_markdown(page, section.footer);
     }
-    add_markdown(page, place.footer);
 }
 
 }  // namespace

@@ -79,9 +79,9 @@ Types types_in(const std::string& cell) {
 // The rows "| `field` | type | meaning |" of the section "## command: `schema`".
 Fields documented(const std::string& command, const std::string& schema) {
     const std::string page = contents(DUMBBELL_PROJECT "/docs/reference/json.md");
-    std::istringstream section(between(page, "## " + command + ": `" + schema + "`\n", "\n## "));
     Fields fields;
-    for (std::string line; std::getline(section, line);) {
+    for (const std::string& line :
+         lines_of(between(page, "## " + command + ": `" + schema + "`\n", "\n## "))) {
         if (!line.starts_with("| `")) {
             continue;
         }

@@ -2,8 +2,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include <sstream>
-
 #include "catch.hpp"
 #include "programs.hpp"
 
@@ -25,8 +23,7 @@ Outcome listed(const std::string& lines, Words options = {}, const std::string& 
 
 std::vector<Json> json_lines(const Outcome& result) {
     std::vector<Json> all;
-    std::istringstream lines(result.out);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(result.out)) {
         all.push_back(Json::parse(line));
     }
     return all;

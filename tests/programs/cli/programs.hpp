@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "catch.hpp"
 #include "process.hpp"
@@ -68,13 +69,20 @@ inline void write_sealed(const std::string& path, std::string text) {
     write_file(path, text + "sha256 " + run({"sha256sum", path}).out.substr(0, 64) + "\n");
 }
 
+inline Words lines_of(const std::string& text) {
+    Words lines;
+    std::istringstream rest(text);
+    for (std::string line; std::getline(rest, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 inline std::string last_line(const std::string& text) {
     if (text.empty() || text.back() != '\n') {
         throw std::runtime_error("no last line: " + text);
     }
-    const std::size_t before = text.size() < 2 ? std::string::npos : text.rfind('\n', text.size() - 2);
-    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-    return text.substr(begin, text.size() - 1 - begin);
+    return lines_of(text).back();
 }
 
 // The ratios that the project promises to decide, with the known maximum.

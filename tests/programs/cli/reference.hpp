@@ -2,8 +2,6 @@
 // page, completion and bad input take their commands and options from.
 #pragma once
 
-#include <sstream>
-
 #include "programs.hpp"
 
 namespace dumbbell_test {
@@ -32,6 +30,7 @@ struct ListedOption {
 struct ListedCommand {
     Words words;  // plot staircase; of the program none
     std::vector<ListedOption> options;
+    Words topics;      // that have a help of their own
     std::string text;  // all else that is said of it
 };
 
@@ -48,14 +47,15 @@ inline std::string unescaped(const std::string& text) {
 inline std::vector<ListedCommand> listed_commands() {
     const std::string heading = "## dumbbell", row = "| `";
     std::vector<ListedCommand> commands;
-    std::istringstream lines(dumbbell({"generate", "reference"}).out);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(dumbbell({"generate", "reference"}).out)) {
         if (line.rfind(heading, 0) == 0) {
             commands.emplace_back();
             std::istringstream words(line.substr(heading.size()));
             for (std::string word; words >> word;) {
                 commands.back().words.push_back(word);
             }
+        } else if (line.rfind("### ", 0) == 0) {
+            commands.back().topics.push_back(line.substr(line.rfind(' ') + 1));
         } else if (line.rfind(row, 0) == 0) {
             const std::size_t end = line.find("` | ");
             commands.back().options.push_back({unescaped(line.substr(row.size(), end - row.size())),
