@@ -4,12 +4,12 @@
 
 #include "adiabatic/writer.hpp"
 #include "base/named.hpp"
+#include "file/limits.hpp"
 #include "file/lines.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
 
-constexpr int most_bits = 4096;
 constexpr long most_classes = 64;
 constexpr long most_cells = 4096;
 

@@ -7,6 +7,7 @@
 #include "api/exact_ratio.hpp"
 #include "api/start.hpp"
 #include "api/translate.hpp"
+#include "file/limits.hpp"
 #include "starts/answer/mean.hpp"
 #include "starts/answer/shares.hpp"
 #include "starts/answer/trace.hpp"
@@ -17,9 +18,6 @@
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
-
-/// Of a certificate, and of the bounds of an irrational angle in it: no line is too long for a verifier.
-constexpr int most_bits = 4096, most_angle_bits = 3000;
 
 void add_shares(StartsProof& proof, const starts::PackedTree& tree) {
     for (const starts::ShareBounds& share : share_bounds(tree)) {

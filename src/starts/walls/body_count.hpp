@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "file/limits.hpp"
 #include "flight/certain_count.hpp"
 #include "flight/corner.hpp"
 #include "starts/walls/later_count.hpp"
@@ -12,7 +13,6 @@ namespace dumbbell::starts {
 
 /// No motion of the body in a plane has more collisions (L72).
 [[nodiscard]] inline std::optional<long> most_collisions_of_body(const Rational& q, const Rational& rho) {
-    constexpr long most_in_corner = 10'000;
     const long turns = flight::corner_count(1, q, most_in_corner);
     return turns > most_in_corner ? std::nullopt : std::optional(rho == 1 ? turns : 2 * turns + 1);
 }
