@@ -20,8 +20,7 @@ constexpr int deepest =
     400 * static_cast<int>(starts::axis_count);  // format-initial.md; bounds the shares' size
 constexpr int window_digits = 5;                 // shown; the file has the window exactly
 
-constexpr std::array<const char*, starts::axis_count> axis_names{"phi", "phidot", "y", "ydot", "q"};
-constexpr std::array<const char*, 2> incoming_names{"phi_over_pi", "s"};
+constexpr std::array<std::string_view, 2> incoming_names{"phi_over_pi", "s"};
 
 /// A leaf apart from its box and the window of the first contact: open ones last, undecided ones before.
 using Kind = std::tuple<bool, bool, long, long, int>;
@@ -146,10 +145,11 @@ class Body {
 Json file_json(const starts::Certificate& certificate, const BoxBudget& budget) {
     const Body body(certificate.tree);
     Json axes = Json::array();
-    for (std::size_t i = 0; i < (certificate.incoming ? incoming_names.size() : axis_names.size()); ++i) {
-        axes.add(Json::object({{"name", certificate.incoming ? incoming_names.at(i) : axis_names.at(i)},
-                               {"lo", to_fraction(certificate.box.lo[i])},
-                               {"hi", to_fraction(certificate.box.hi[i])}}));
+    for (std::size_t i = 0; i < (certificate.incoming ? incoming_names.size() : starts::axis_count); ++i) {
+        axes.add(
+            Json::object({{"name", certificate.incoming ? incoming_names.at(i) : starts::axis_names.at(i)},
+                          {"lo", to_fraction(certificate.box.lo[i])},
+                          {"hi", to_fraction(certificate.box.hi[i])}}));
     }
     const std::size_t leaves = leaves_of(body.tree);
     Json tree = tree_json(body.tree, budget);
