@@ -12,8 +12,6 @@ constexpr int value_digits = 6;
 /// The error's lower bound in the claim's unit.
 Interval low(const Interval& error, const Interval& unit) { return low_end(abs(error) / unit); }
 
-bool at_least(const Interval& u, const Interval& margin) { return certainly_at_most(margin, u); }
-
 std::optional<Interval> bounce_error(const Search& search, const Interval& u, const Interval& s,
                                      const Interval& delta) {
     const Bounce<Interval> bounce(u, s, Masses<Interval>(delta));
@@ -42,14 +40,14 @@ std::optional<Interval> orbit_error(const Search& search, const Sample& sample, 
     }
     for (long n = 0; n < sample.n; ++n) {
         if (ends_early(n, search.interrupted) || !orbit.advance() ||
-            (run && !at_least(orbit.angle(), margin))) {
+            (run && !certainly_at_most(margin, orbit.angle()))) {
             return std::nullopt;
         }
     }
     if (run) {
         return low(orbit.change(), delta);
     }
-    if (!orbit.certainly_ends() || !at_least(orbit.angle(), margin)) {
+    if (!orbit.certainly_ends() || !certainly_at_most(margin, orbit.angle())) {
         return std::nullopt;
     }
     return low(orbit.change_behind(), sqrt(delta));
@@ -66,7 +64,8 @@ std::optional<State> attained(const Search& search, const Sample& sample) {
     const Sides sides(search.of);
     const Masses<Interval> masses(delta);
     const Interval margin = sides.margin(masses);
-    if (!certainly_positive(delta) || !at_least(u, margin) || !sides.certainly_of_height(u, masses)) {
+    if (!certainly_positive(delta) || !certainly_at_most(margin, u) ||
+        !sides.certainly_of_height(u, masses)) {
         return std::nullopt;
     }
     const auto error = search.of.claim == Claim::bounce ? bounce_error(search, u, s, delta)

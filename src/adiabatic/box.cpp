@@ -28,7 +28,7 @@ Box Sides::root(std::initializer_list<Axis> axes) const {
         const auto i = static_cast<std::size_t>(axis);
         box.hi[i] = root_ends[i];
     }
-    if (of_.delta.first == of_.delta.second) {
+    if (of_.has_one_delta()) {
         box.hi[static_cast<std::size_t>(Axis::delta)] = 0;
     }
     return box;

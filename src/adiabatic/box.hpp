@@ -55,7 +55,6 @@ class Sides {
     [[nodiscard]] Masses<Interval> masses(const Box& box) const;
     /// The least angle from the vertical that the hypotheses allow.
     [[nodiscard]] Interval margin(const Masses<Interval>& masses) const;
-    [[nodiscard]] const Hypotheses& hypotheses() const { return of_; }
 
     /// Whether all heights y = beta2 cos u are certainly outside the claim's.
     [[nodiscard]] bool certainly_elsewhere(const Interval& u, const Masses<Interval>& masses) const;

@@ -62,6 +62,8 @@ struct Hypotheses {
         heights;       ///< of a bounce or a run: of the centre of mass before collision 0
     Rational margin;   ///< m, u_* or c
     int exponent = 8;  ///< of a bounce: k = exponent/16
+
+    [[nodiscard]] bool has_one_delta() const { return delta.first == delta.second; }
 };
 
 struct Certificate {
@@ -71,8 +73,13 @@ struct Certificate {
     std::vector<Rational> bounds;  ///< C; of a bounce C1 and C2
     std::vector<Class> classes;
     Tree tree;
-    std::vector<State> attained;  ///< of a bounce two, else one
+    std::vector<State> attained;  ///< as many
     std::string sha256{};         ///< as its last line has it, if that is right; empty unless it was read
+
+    [[nodiscard]] bool complete() const {
+        const std::size_t values = hypotheses.claim == Claim::bounce ? 2 : 1;
+        return bounds.size() == values && attained.size() == values;
+    }
 };
 
 }  // namespace dumbbell::adiabatic

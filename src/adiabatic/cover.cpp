@@ -41,7 +41,7 @@ class Growth {
     std::optional<Cover> grow() {
         for (std::size_t leaves = 1; !tree_.boxes().empty(); tree_.next_generation()) {
             judge_generation();
-            if (limits_.interrupted() || std::any_of(now_.begin(), now_.end(), is_hopeless)) {
+            if (limits_.interrupted() || std::ranges::any_of(now_, &Open::hopeless)) {
                 return std::nullopt;
             }
             const double enough =
@@ -58,7 +58,6 @@ class Growth {
                 if (!closed && (target_.fixed || !std::isfinite(judged.bound))) {
                     return std::nullopt;
                 }
-                raised_ = raised_ || !closed;
                 bound_ = judged.outside ? bound_ : std::max(bound_, judged.bound);
                 tree_.close(i, judged);
             }
@@ -73,8 +72,6 @@ class Growth {
         bool hopeless = false;  ///< no box around its centre can be closed
         std::optional<Axis> split;
     };
-
-    static bool is_hopeless(const Open& box) { return box.hopeless; }
 
     template <class Work>
     void each(const Work& work) {
@@ -133,7 +130,7 @@ class Growth {
     }
 
     [[nodiscard]] std::optional<Cover> finished() {
-        Cover cover{{}, bound_, raised_, 0};
+        Cover cover{{}, bound_, 0};
         for (const Place& node : std::move(tree_).pre_order()) {
             cover.tree.push_back({node.split, !node.split && node.leaf.outside, node.leaf.by_class});
             cover.leaves += node.split ? 0 : 1;
@@ -148,7 +145,6 @@ class Growth {
     std::vector<Open> now_;
     double best_ = 0;
     double bound_ = -std::numeric_limits<double>::infinity();
-    bool raised_ = false;
 };
 
 }  // namespace

@@ -39,8 +39,7 @@ struct Target {
 
 struct Cover {
     Tree tree;
-    double bound = 0;     ///< the greatest of its leaves
-    bool raised = false;  ///< boxes were left that could not be halved down to the target
+    double bound = 0;  ///< the greatest of its leaves
     std::size_t leaves = 0;
 };
 

@@ -19,9 +19,8 @@ class Orbit {
           first_kappa_(kappa_) {}
 
     [[nodiscard]] const Masses<I>& masses() const { return masses_; }
-    /// The collision that is reached, and the slope before it.
+    /// The collision that is reached.
     [[nodiscard]] const LightContact<I>& at() const { return at_; }
-    [[nodiscard]] const I& kappa() const { return kappa_; }
     [[nodiscard]] I angle() const { return half_pi<I>() - at_.x; }
 
     /// I before the collision, less that before the first.

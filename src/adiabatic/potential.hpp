@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -57,17 +58,9 @@ class Potential {
   private:
     /// The first cell that may reach below u, or the last one.
     [[nodiscard]] std::size_t first_below(const I& u) const {
-        std::size_t lo = 0;
-        std::size_t hi = cells_.size() - 1;
-        while (lo < hi) {
-            const std::size_t middle = (lo + hi) / 2;
-            if (certainly_less(u, cells_[middle].u)) {
-                lo = middle + 1;
-            } else {
-                hi = middle;
-            }
-        }
-        return lo;
+        const auto above = [&](const Cell& cell) { return certainly_less(u, cell.u); };
+        return static_cast<std::size_t>(std::partition_point(cells_.begin(), cells_.end() - 1, above) -
+                                        cells_.begin());
     }
 
     std::vector<Cell> cells_;

@@ -8,7 +8,6 @@
 #include "adiabatic/cover.hpp"
 #include "adiabatic/pair_leaf.hpp"
 #include "adiabatic/search.hpp"
-#include "base/error.hpp"
 #include "number/decimal.hpp"
 
 namespace dumbbell::adiabatic {
@@ -45,7 +44,7 @@ class Prover {
           of_(request.of),
           sides_(request.of),
           accuracy_(request.accuracy.convert_to<double>()) {
-        proof_.of = request.of;
+        proof_.hypotheses = request.of;
     }
 
     Proof proof() {
@@ -58,29 +57,17 @@ class Prover {
     }
 
   private:
-    [[nodiscard]] Limits limits(std::size_t most_leaves) const {
-        Limits result;
-        result.jobs = request_.jobs;
-        result.max_leaves = most_leaves;
-        result.interrupted = request_.interrupted;
-        result.observer = request_.observer;
-        return result;
-    }
-    [[nodiscard]] Limits limits() const { return limits(Limits{}.max_leaves); }
-
-    [[nodiscard]] Search search(bool height_error) const {
-        Search result;
-        result.of = of_;
-        result.height_error = height_error;
-        result.most_collisions = request_.most_collisions;
-        result.jobs = request_.jobs;
-        result.interrupted = request_.interrupted;
-        return result;
+    [[nodiscard]] Limits limits(std::size_t most_leaves = Limits{}.max_leaves) const {
+        return {.jobs = request_.jobs,
+                .max_leaves = most_leaves,
+                .interrupted = request_.interrupted,
+                .observer = request_.observer};
     }
 
     /// The best of the found orbits that can be enclosed; its value, or 0.
     double attain(bool height_error) {
-        const Search looked_for = search(height_error);
+        const Search looked_for{of_, height_error, request_.most_collisions, request_.jobs,
+                                request_.interrupted};
         for (const Sample& sample : search_errors(looked_for)) {
             if (const auto state = attained(looked_for, sample)) {
                 proof_.attained.push_back(*state);
@@ -174,9 +161,7 @@ class Prover {
                 return Judged{verdict.outside, verdict.excess, 0};
             };
             auto cover = find_cover(sides_.root({Axis::u, Axis::sigma, Axis::delta}), judge, {0, 0, true},
-                                    limits(sides_.hypotheses().delta.first == sides_.hypotheses().delta.second
-                                               ? class_leaves
-                                               : 5 * class_leaves));
+                                    limits(of_.has_one_delta() ? class_leaves : 5 * class_leaves));
             if (cover) {
                 one.tree = std::move(cover->tree);
                 proof_.leaves += cover->leaves;
@@ -251,22 +236,6 @@ class Prover {
 
 }  // namespace
 
-bool Proof::complete() const {
-    const std::size_t values = of.claim == Claim::bounce ? 2 : 1;
-    return bounds.size() == values && attained.size() == values;
-}
-
 Proof prove(const Request& request) { return Prover(request).proof(); }
-
-Certificate certificate_of(const Proof& proof) {
-    require(proof.complete(), "certificate: there is no proof to write");
-    Certificate certificate;
-    certificate.hypotheses = proof.of;
-    certificate.bounds = proof.bounds;
-    certificate.classes = proof.classes;
-    certificate.tree = proof.tree;
-    certificate.attained = proof.attained;
-    return certificate;
-}
 
 }  // namespace dumbbell::adiabatic

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "adiabatic/certificate.hpp"
 #include "base/interrupted.hpp"
 #include "base/observer.hpp"
@@ -18,19 +16,12 @@ struct Request {
     Observer* observer = &nobody;  ///< told of boxes that are judged
 };
 
-/// What was proved, in the claim's unit: |errors| <= bounds, and orbits that attain almost as much.
-struct Proof {
-    Hypotheses of;
-    std::vector<Rational>
-        bounds;  ///< of a bounce two, of a run or a scattering one; none if nothing was certified
-    std::vector<Class> classes;
-    Tree tree;
-    std::vector<State> attained;  ///< fewer than there should be if none were certified
-    std::size_t leaves = 0;       ///< of all trees
+/// What was proved, in the claim's unit: |errors| <= bounds, and orbits that attain almost as much. Bounds
+/// and orbits that were not certified are missing.
+struct Proof : Certificate {
+    std::size_t leaves = 0;  ///< of all trees
     /// The bounds exceed what was attained by more than the accuracy asked for.
     bool coarser = false;
-
-    [[nodiscard]] bool complete() const;
 };
 
 /// Throws InputError, in one line that names the option, unless the hypotheses describe a set of positive
@@ -40,8 +31,5 @@ void require_sensible(const Hypotheses& of);
 /// First an orbit with a great error is looked for and enclosed, then the hypotheses are covered. The result
 /// does not depend on the number of jobs, unless interrupted. Precondition: require_sensible(of).
 [[nodiscard]] Proof prove(const Request& request);
-
-/// What this program writes of a complete proof.
-[[nodiscard]] Certificate certificate_of(const Proof& proof);
 
 }  // namespace dumbbell::adiabatic

@@ -106,14 +106,14 @@ std::string ratio_text(const Rational& bound, const State& state) {
 std::string unit_text(const Unit& unit) { return unit.unit.empty() ? "" : " " + unit.unit; }
 
 std::string bound_text(const Proof& proof, std::size_t i) {
-    const Unit unit = units(proof.of)[i];
+    const Unit unit = units(proof.hypotheses)[i];
     return i < proof.bounds.size()
                ? fmt::format("{} <= {}{}", unit.error, spelled(proof.bounds[i]), unit_text(unit))
                : fmt::format("{}: no bound was certified", unit.error);
 }
 
 std::string error_text(const Proof& proof, std::size_t i) {
-    const std::string in = unit_text(units(proof.of)[i]);
+    const std::string in = unit_text(units(proof.hypotheses)[i]);
     std::string text = "  " + bound_text(proof, i) + '\n';
     if (i < proof.attained.size()) {
         text += fmt::format("    attained: at least {}{} ({})\n", spelled(proof.attained[i].value), in,
@@ -128,11 +128,11 @@ std::string error_text(const Proof& proof, std::size_t i) {
 
 std::string result_text(const Report& report, const Result& result) {
     const Proof& proof = result.proof;
-    std::string text = hypotheses_text(proof.of) + '\n';
-    for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
+    std::string text = hypotheses_text(proof.hypotheses) + '\n';
+    for (std::size_t i = 0; i < units(proof.hypotheses).size(); ++i) {
         text += error_text(proof, i);
     }
-    if (proof.of.claim == Claim::scattering && proof.complete()) {
+    if (proof.hypotheses.claim == Claim::scattering && proof.complete()) {
         text += "  and the heavy mass is not touched.\n";
     }
     if (proof.coarser) {
@@ -148,11 +148,11 @@ std::string table_text(const Report& report) {
     std::vector<TableLine> lines{{"distance", "error", "bound", "attained", "ratio", "boxes", "seconds"}};
     for (const Result& result : report.results) {
         const Proof& proof = result.proof;
-        const auto names = units(proof.of);
+        const auto names = units(proof.hypotheses);
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
-            const std::string unit = names[i].unit.empty() ? "" : " " + names[i].unit;
-            lines.push_back({margin_text(proof.of), names[i].error,
+            const std::string unit = unit_text(names[i]);
+            lines.push_back({margin_text(proof.hypotheses), names[i].error,
                              bounded ? spelled(proof.bounds[i]) + unit : "-",
                              found ? spelled(proof.attained[i].value) + unit : "-",
                              bounded && found ? ratio_text(proof.bounds[i], proof.attained[i]) : "-",
@@ -187,7 +187,7 @@ Json range_json(const std::pair<Rational, Rational>& range) {
 
 Json result_json(const Result& result) {
     const Proof& proof = result.proof;
-    const Hypotheses& of = proof.of;
+    const Hypotheses& of = proof.hypotheses;
     const bool has_heights = of.claim == Claim::bounce || of.claim == Claim::run;
     Json errors = Json::array();
     const auto names = units(of);
@@ -212,9 +212,9 @@ std::string verdict(const Report& report) {
     std::string text;
     for (const Result& result : report.results) {
         const Proof& proof = result.proof;
-        for (std::size_t i = 0; i < units(proof.of).size(); ++i) {
-            text += fmt::format("{}, distance {}: {}\n", delta_text(proof.of), margin_text(proof.of),
-                                bound_text(proof, i));
+        for (std::size_t i = 0; i < units(proof.hypotheses).size(); ++i) {
+            text += fmt::format("{}, distance {}: {}\n", delta_text(proof.hypotheses),
+                                margin_text(proof.hypotheses), bound_text(proof, i));
         }
     }
     return text;
@@ -225,14 +225,15 @@ std::string to_text(const Report& report) {
     if (report.results.size() == 1) {
         text = result_text(report, report.results.front());
     } else {
-        std::string sentence = hypotheses_text(report.results.front().proof.of);
+        std::string sentence = hypotheses_text(report.results.front().proof.hypotheses);
         text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
     }
     if (report.out) {
         const Proof& proof = report.results.front().proof;
         text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {} {}\n",
                             one_line(*report.out), *report.sha256,
-                            claim_options(proof.of, proof.bounds, proof.attained), shell_file(*report.out));
+                            claim_options(proof.hypotheses, proof.bounds, proof.attained),
+                            shell_file(*report.out));
     }
     return text;
 }

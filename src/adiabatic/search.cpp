@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "flight/contact_guess.hpp"
@@ -134,11 +135,9 @@ struct Effort {
     double zooms = 16;
 };
 
-bool has_one_delta(const Hypotheses& of) { return of.delta.first == of.delta.second; }
-
 /// The less densely the longer the orbits are: about 1/delta collisions.
 Effort effort_for(const Search& search) {
-    const bool single = has_one_delta(search.of);
+    const bool single = search.of.has_one_delta();
     Effort effort;
     effort.coarse.share = single ? 0 : effort.coarse.share;
     if (search.of.claim == Claim::bounce) {
@@ -163,19 +162,26 @@ class GridSearch {
 
     std::vector<Sample> found() {
         fill(effort_.coarse, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5});
-        std::vector<Sample> best = best_apart();
-        for (Sample& sample : best) {
-            sample = refined(sample);
+        std::vector<Found> best = std::move(found_);
+        std::ranges::stable_sort(best, std::greater<>(), error);
+        best.resize(std::min(best.size(), static_cast<std::size_t>(effort_.kept)));
+        std::vector<Sample> samples;
+        for (const Found& one : best) {
+            samples.push_back(refined(one));
         }
-        std::stable_sort(best.begin(), best.end(),
-                         [](const auto& a, const auto& b) { return a.error > b.error; });
-        return best;
+        std::ranges::stable_sort(samples, std::greater<>(), &Sample::error);
+        return samples;
     }
 
   private:
     struct Point {
         double a, s, share;  ///< a: the share of the way through the angles
     };
+    struct Found {
+        Point at;
+        Sample sample;
+    };
+    static double error(const Found& one) { return one.sample.error; }
 
     [[nodiscard]] Sample at(const Point& point) const {
         const Domain domain(search_.of, point.share);
@@ -185,69 +191,47 @@ class GridSearch {
 
     /// All points of a grid around `centre`; ends of the unit cube count.
     void fill(const Grid& grid, const Point& centre, const Point& half) {
-        samples_.clear();
-        points_.clear();
+        found_.clear();
         const auto place = [](double middle, double span, int i, int n, double least = 0) {
             return n == 0 ? middle : std::clamp(middle + span * (2.0 * i / n - 1), least, 1.0);
         };
         // Runs have the more collisions the smaller delta is.
         const double from = search_.of.delta.first == 0 ? least_share : 0;
-        const bool single = has_one_delta(search_.of);
+        const bool single = search_.of.has_one_delta();
         for (int i = 0; i <= grid.u; ++i) {
             for (int j = 0; j <= grid.s; ++j) {
                 for (int k = 0; k <= grid.share; ++k) {
-                    points_.push_back({place(centre.a, half.a, i, grid.u), place(centre.s, half.s, j, grid.s),
-                                       single ? 0 : place(centre.share, half.share, k, grid.share, from)});
+                    found_.push_back({{place(centre.a, half.a, i, grid.u), place(centre.s, half.s, j, grid.s),
+                                       single ? 0 : place(centre.share, half.share, k, grid.share, from)},
+                                      {}});
                 }
             }
         }
-        samples_.resize(points_.size());
         run_with_threads(search_.jobs, [&] {
-            in_parallel(points_.size(), [&](std::size_t i) {
-                samples_[i] = search_.interrupted() ? Sample{} : at(points_[i]);
+            in_parallel(found_.size(), [&](std::size_t i) {
+                found_[i].sample = search_.interrupted() ? Sample{} : at(found_[i].at);
             });
         });
     }
 
-    std::vector<Sample> best_apart() {
-        std::vector<std::size_t> order(samples_.size());
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            order[i] = i;
-        }
-        std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return samples_[a].error > samples_[b].error; });
-        std::vector<Sample> best;
-        starts_.clear();
-        for (std::size_t i = 0; i < order.size() && static_cast<double>(best.size()) < effort_.kept; ++i) {
-            best.push_back(samples_[order[i]]);
-            starts_.push_back(points_[order[i]]);
-        }
-        next_ = 0;
-        return best;
-    }
-
-    Sample refined(Sample best) {
+    /// The best near it.
+    Sample refined(Found best) {
         const Grid& coarse = effort_.coarse;
-        Point centre = starts_[next_++];
         Point half{1.0 / coarse.u, 1.0 / coarse.s, coarse.share > 0 ? 1.0 / coarse.share : 0};
         for (int i = 0; i < effort_.zooms; ++i) {
-            fill({8, 4, coarse.share > 0 ? 2 : 0}, centre, half);
-            const auto top = std::max_element(samples_.begin(), samples_.end(),
-                                              [](const auto& a, const auto& b) { return a.error < b.error; });
-            if (top->error > best.error) {
-                best = *top;
-                centre = points_[static_cast<std::size_t>(top - samples_.begin())];
+            fill({8, 4, coarse.share > 0 ? 2 : 0}, best.at, half);
+            const Found& top = *std::ranges::max_element(found_, {}, error);
+            if (top.sample.error > best.sample.error) {
+                best = top;
             }
             half = {half.a / 2, half.s / 2, half.share / 2};
         }
-        return best;
+        return best.sample;
     }
 
     const Search& search_;
     Effort effort_;
-    std::vector<Point> points_, starts_;
-    std::vector<Sample> samples_;
-    std::size_t next_ = 0;
+    std::vector<Found> found_;  ///< on the grid that was filled last
 };
 
 }  // namespace

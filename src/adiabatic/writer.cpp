@@ -82,6 +82,7 @@ void write_classes(Body& body, const std::vector<Class>& classes) {
 }  // namespace
 
 SealedText render(const Certificate& certificate) {
+    require(certificate.complete(), "certificate: a bound or an orbit is missing");
     const bool by_classes = certificate.hypotheses.claim != Claim::bounce;
     Body body;
     write_header(body, certificate);

@@ -7,7 +7,8 @@
 
 namespace dumbbell::adiabatic {
 
-/// The one canonical spelling (format-adiabatic.md). Throws BrokenInvariant if a tree is not complete.
+/// The one canonical spelling (format-adiabatic.md). Throws BrokenInvariant if it, or a tree, is not
+/// complete.
 [[nodiscard]] SealedText render(const Certificate& certificate);
 
 /// Words for the command line of the verifier, with which it is asked for all that a file says.

@@ -40,10 +40,8 @@ const char* orbit_name(long n) {
     return flight::tangent_flight(n).orbit == flight::ExtremalOrbit::top ? "top" : "corner";
 }
 
-long count_if(const Report& report, bool (*holds)(const Row&)) {
-    return std::count_if(report.rows.begin(), report.rows.end(), holds);
-}
 bool has_ratio(const Row& row) { return row.ratio.has_value(); }
+long enclosed_in(const Report& report) { return std::ranges::count_if(report.rows, has_ratio); }
 
 /// The N of the first row that was left out.
 std::optional<long> first_unreached(const Report& report) {
@@ -68,14 +66,22 @@ std::string long_foundation(const std::string& beginning, const std::string& fli
                            flight);
 }
 
-std::string single_text(const Report& report) {
-    const Row& row = report.rows.front();
+std::string row_verdict(const Row& row, const Report& report) {
     if (!row.ratio) {
         return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
     }
     const Number p = shown_number(*row.ratio, report.request.digits);
-    std::string text = fmt::format("q_c({}) = {}{}\n\n", row.n, p.value, p.exact ? "" : "...");
-    text += fmt::format("Proved in {} bits: at this mass ratio the maximum steps from {} to {}.\n",
+    return fmt::format("q_c({}) = {}{}\n", row.n, p.value, p.exact ? "" : "...");
+}
+
+std::string single_text(const Report& report) {
+    const Row& row = report.rows.front();
+    std::string text = row_verdict(row, report);
+    if (!row.ratio) {
+        return text;
+    }
+    const Number p = shown_number(*row.ratio, report.request.digits);
+    text += fmt::format("\nProved in {} bits: at this mass ratio the maximum steps from {} to {}.\n",
                         row.ratio->bits, row.n - 1, row.n);
     text += p.exact ? "The number is exact.\n"
                     : fmt::format("It is within {} of the digits shown (cut off, not rounded).\n", p.radius);
@@ -109,7 +115,7 @@ std::string table_text(const Report& report) {
 }
 
 std::string range_text(const Report& report) {
-    const long enclosed = count_if(report, has_ratio);
+    const long enclosed = enclosed_in(report);
     const long all = report.request.size();
     std::string text = table_text(report);
     text += fmt::format("{} critical ratios in {:.2f} s with {} thread{}\n\n", all, report.seconds,
@@ -141,14 +147,6 @@ std::string part_sentence(const CountPart& part) {
 Json part_json(const CountPart& part) {
     return Json::object(
         {{"number", part.part.number}, {"of", part.part.of}, {"first", part.first}, {"last", part.last}});
-}
-
-std::string row_verdict(const Row& row, const Report& report) {
-    if (!row.ratio) {
-        return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
-    }
-    const Number p = shown_number(*row.ratio, report.request.digits);
-    return fmt::format("q_c({}) = {}{}\n", row.n, p.value, p.exact ? "" : "...");
 }
 
 /// Of the ends, beyond those of the number.
@@ -220,7 +218,7 @@ Json to_json(const Report& report) {
                          {"part", report.request.part ? part_json(*report.request.part) : Json()},
                          {"jobs", report.request.jobs},
                          {"ratios", ratios},
-                         {"open", report.request.size() - count_if(report, has_ratio)},
+                         {"open", report.request.size() - enclosed_in(report)},
                          {"left_out_from", first_unreached(report)},
                          {"seconds", report.seconds},
                          {"out", report.out}});

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "file/descriptor.hpp"
 
 namespace dumbbell {
 namespace {
@@ -102,14 +103,13 @@ class Temporary {
         if (!name_.empty()) {
             ::unlink(name_.c_str());
         }
-        ::close(descriptor_);
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
     void write(std::string_view bytes) const {
         for (std::size_t done = 0; done < bytes.size();) {
-            const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
+            const ssize_t n = ::write(file_.get(), bytes.data() + done, bytes.size() - done);
             if (n < 0 && errno == EINTR) {
                 continue;
             }
@@ -123,15 +123,15 @@ class Temporary {
     /// The owner, as far as this program may, and the access rights of the file that it is to replace.
     void inherit() const {
         if (const auto replaced = regular_file(path_)) {
-            (void)!::fchown(descriptor_, replaced->st_uid, replaced->st_gid);
-            if (::fchmod(descriptor_, replaced->st_mode & 0777U) != 0) {
+            (void)!::fchown(file_.get(), replaced->st_uid, replaced->st_gid);
+            if (::fchmod(file_.get(), replaced->st_mode & 0777U) != 0) {
                 fail("write", path_);
             }
         }
     }
 
     void sync() const {
-        if (::fsync(descriptor_) != 0) {
+        if (::fsync(file_.get()) != 0) {
             fail("sync", path_);
         }
     }
@@ -155,38 +155,31 @@ class Temporary {
     bool made() {
         // What is to be replaced may be secret, until it has its rights.
         const mode_t rights = regular_file(path_) ? 0600 : 0666;
-        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights);
-        const bool is_new = descriptor_ >= 0;
+        file_ = Descriptor(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights));
+        const bool is_new = file_.get() >= 0;
         if (!is_new && errno == EEXIST) {
-            descriptor_ = ::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-            if (descriptor_ < 0 && errno == ENOENT) {
+            file_ = Descriptor(::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+            if (file_.get() < 0 && errno == ENOENT) {
                 return false;
             }
         }
-        if (descriptor_ < 0) {
+        if (file_.get() < 0) {
             cannot_create(path_);
         }
-        while (::flock(descriptor_, LOCK_EX) != 0) {
+        while (::flock(file_.get(), LOCK_EX) != 0) {
             if (errno != EINTR) {
-                const int cause = errno;
-                ::close(descriptor_);
-                errno = cause;
                 fail("lock", path_);
             }
         }
         struct stat mine {};
         struct stat named {};
-        const bool has_name = ::fstat(descriptor_, &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+        const bool has_name = ::fstat(file_.get(), &mine) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
                               mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
         if (is_new && has_name) {
             return true;
         }
         // Removed under the lock: who made it and waits for the lock would take it for its own.
-        const bool stays = has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT;
-        const int cause = errno;
-        ::close(descriptor_);
-        if (stays) {
-            errno = cause;
+        if (has_name && ::unlink(name_.c_str()) != 0 && errno != ENOENT) {
             cannot_create(path_);
         }
         return false;
@@ -194,17 +187,15 @@ class Temporary {
 
     const std::string& path_;
     std::string name_;
-    int descriptor_ = -1;
+    Descriptor file_;
 };
 
 /// A new name is durable once its folder is synced; if that cannot be done the file is still complete.
 void sync_folder_of(const std::string& path) {
     const auto parent = std::filesystem::path(path).parent_path();
-    const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder >= 0) {
-        ::fsync(folder);
-        ::close(folder);
-    }
+    const Descriptor folder(
+        ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    ::fsync(folder.get());
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "law/layer_cover.hpp"
 
-#include <tuple>
-
 #include "base/growing_tree.hpp"
 #include "number/parallel.hpp"
 
@@ -14,12 +12,6 @@ constexpr int most_splits = 24;  ///< of one axis
 Interval side(const std::pair<double, double>& share, int num, int den) {
     const Interval length = Interval(num) / Interval(den);
     return hull(Interval(share.first) * length, Interval(share.second) * length);
-}
-
-std::pair<std::pair<double, double>, std::pair<double, double>> halved(
-    const std::pair<double, double>& side) {
-    const double middle = (side.first + side.second) / 2;
-    return {{side.first, middle}, {middle, side.second}};
 }
 
 std::optional<LayerLeaf> judged(const LayerBox& box) {
@@ -52,7 +44,7 @@ std::pair<LayerShares, LayerShares> LayerShares::halves(LayerAxis axis) const {
     std::pair<LayerShares, LayerShares> result{*this, *this};
     auto& lower = axis == LayerAxis::U ? result.first.U : result.first.rho;
     auto& upper = axis == LayerAxis::U ? result.second.U : result.second.rho;
-    std::tie(lower, upper) = halved(lower);
+    lower.second = upper.first = (lower.first + lower.second) / 2;
     return result;
 }
 

@@ -23,10 +23,6 @@ void spread_nan(BigInterval& x) {
     }
 }
 
-BigInterval between(double lo, double hi, const BigInterval& nan_if) {
-    return is_nan(nan_if) ? nan_if : BigInterval(lo, hi);
-}
-
 bool is_at_least_0(arf_srcptr x) { return arf_sgn(x) >= 0; }
 bool is_at_most_0(arf_srcptr x) { return arf_sgn(x) <= 0; }
 
@@ -256,16 +252,13 @@ BigInterval range_between(const BigInterval& at_lower, const BigInterval& slope_
 }  // namespace
 
 SinCos<BigInterval> sin_cos(const BigInterval& x) {
-    if (arf_is_finite(x.lower()) == 0 || arf_is_finite(x.upper()) == 0) {
-        const BigInterval all = between(-1, 1, x);
+    const double length = width(x);
+    if (arf_is_finite(x.lower()) == 0 || arf_is_finite(x.upper()) == 0 || length > 7) {
+        const BigInterval all = is_nan(x) ? x : BigInterval(-1, 1);
         return {all, all};
     }
     if (arf_equal(x.lower(), x.upper()) != 0) {
         return sin_cos_at(x.lower());
-    }
-    const double length = width(x);
-    if (length > 7) {
-        return {BigInterval(-1, 1), BigInterval(-1, 1)};
     }
     if (length > 3) {  // in two parts, which meet
         BigInterval first = x, second = x;

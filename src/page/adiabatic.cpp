@@ -8,8 +8,6 @@
 namespace dumbbell::page {
 namespace {
 
-/// Exactly, as the claim has it.
-
 constexpr int shown_digits = 6;
 
 /// A bound C >= 0 for reading: rounded up, so that it still is one.

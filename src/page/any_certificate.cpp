@@ -11,12 +11,7 @@
 namespace dumbbell::page {
 
 AnyCertificate read_any_certificate(const NamedFile& file) {
-    constexpr int head_lines = 5;  // before the line `claim`
-    Lines lines(file);
-    for (int i = 0; i < head_lines; ++i) {
-        lines.next();
-    }
-    const std::string claim = lines.expect("claim", 2)[1];
+    const std::string claim = Lines(file).expect_head().claim;
     if (claim == "initial-conditions" || claim == "incoming") {
         return starts::read_certificate(file);
     }

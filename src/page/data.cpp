@@ -35,16 +35,9 @@ struct LeavesOf {
         }
         return static_cast<std::size_t>(leaves);
     }
-    std::size_t operator()(const starts::Certificate& certificate) const { return closed(certificate.tree); }
-    std::size_t operator()(const adiabatic::Certificate& certificate) const {
-        return closed(certificate.tree);
-    }
-
-  private:
-    template <class Tree>
-    static std::size_t closed(const Tree& tree) {
+    std::size_t operator()(const auto& certificate) const {
         return static_cast<std::size_t>(
-            std::ranges::count_if(tree, [](const auto& node) { return !node.split; }));
+            std::ranges::count_if(certificate.tree, [](const auto& node) { return !node.split; }));
     }
 };
 

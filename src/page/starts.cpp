@@ -146,9 +146,10 @@ Json file_json(const starts::Certificate& certificate, const BoxBudget& budget) 
     const Body body(certificate.tree);
     Json axes = Json::array();
     for (std::size_t i = 0; i < (certificate.incoming ? incoming_names.size() : starts::axis_count); ++i) {
-        axes.add(Json::object({{"name", certificate.incoming ? incoming_names.at(i) : starts::axis_names[i]},
-                               {"lo", to_fraction(certificate.box.lo[i])},
-                               {"hi", to_fraction(certificate.box.hi[i])}}));
+        axes.add(
+            Json::object({{"name", certificate.incoming ? incoming_names.at(i) : starts::axis_names.at(i)},
+                          {"lo", to_fraction(certificate.box.lo[i])},
+                          {"hi", to_fraction(certificate.box.hi[i])}}));
     }
     const std::size_t leaves = leaves_of(body.tree);
     Json tree = tree_json(body.tree, budget);

@@ -9,13 +9,6 @@
 namespace dumbbell {
 namespace {
 
-/// The exact value of a number as it is printed, e.g. -1.5e-05.
-Rational as_printed(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const Rational magnitude = parse_rational(text.substr(negative ? 1 : 0));
-    return negative ? -magnitude : magnitude;
-}
-
 /// A number of three digits: digits * 10^(exponent - 2), its digits from 100 to 999, or 0.
 struct ThreeDigits {
     int digits;
@@ -58,7 +51,7 @@ std::string rounded_down(double x) {
 
 std::string enclosure_text(const Interval& x) {
     const std::string centre = fmt::format("{:.12g}", unsigned_zero(approximate(x)));
-    const Rational c = as_printed(centre);
+    const Rational c = parse_signed_rational(centre);
     const double radius = std::abs(enclose<Interval>(std::max(exact(x.hi()) - c, c - exact(x.lo()))).hi());
     return fmt::format("{}+-{:.1e}", centre, radius * 1.06);  // two digits lose at most 1 part in 20
 }

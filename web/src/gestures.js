@@ -7,6 +7,12 @@ const place = (plane, event) => {
     return [event.clientX - box.left, event.clientY - box.top];
 };
 
+/// The same as a place of the plane.
+const under = (plane, event) => {
+    const [px, py] = place(plane, event);
+    return [plane.xAt(px), plane.yAt(py)];
+};
+
 const reach = 14; // px around a handle
 
 const isOnHandle = (plane, [px, py]) => {
@@ -27,14 +33,10 @@ export function moveByPointer(plane) {
             return;
         }
         event.preventDefault();
-        const [px, py] = place(plane, event);
-        plane.zoom(Math.exp(event.deltaY * wheelRate), plane.xAt(px), plane.yAt(py));
+        plane.zoom(Math.exp(event.deltaY * wheelRate), ...under(plane, event));
     }, { passive: false });
 
-    canvas.addEventListener("dblclick", (event) => {
-        const [px, py] = place(plane, event);
-        plane.zoom(1 / 3, plane.xAt(px), plane.yAt(py));
-    });
+    canvas.addEventListener("dblclick", (event) => plane.zoom(1 / 3, ...under(plane, event)));
 
     canvas.addEventListener("pointerdown", (event) => {
         canvas.setPointerCapture(event.pointerId);
@@ -47,14 +49,14 @@ export function moveByPointer(plane) {
         const now = place(plane, event);
         const before = fingers.get(event.pointerId);
         if (!before) {
-            plane.probe(plane.xAt(now[0]), plane.yAt(now[1]));
+            plane.options.probe?.(...under(plane, event));
             canvas.style.cursor = isOnHandle(plane, now) ? "grab" : "";
             return;
         }
         fingers.set(event.pointerId, now);
         travelled += Math.hypot(now[0] - before[0], now[1] - before[1]);
         if (isHeld && fingers.size === 1) {
-            plane.options.handle.move(plane.xAt(now[0]), plane.yAt(now[1]));
+            plane.options.handle.move(...under(plane, event));
         } else if (fingers.size === 1 && travelled > 3) {
             plane.pan((before[0] - now[0]) / plane.frame.width, (now[1] - before[1]) / plane.frame.height);
         } else if (fingers.size === 2) {
@@ -66,52 +68,48 @@ export function moveByPointer(plane) {
 
     const lift = (event) => {
         if (fingers.delete(event.pointerId) && event.type === "pointerup" && travelled <= 3) {
-            const [px, py] = place(plane, event);
-            plane.probe(plane.xAt(px), plane.yAt(py));
-            plane.options.click?.(plane.xAt(px), plane.yAt(py));
+            plane.options.probe?.(...under(plane, event));
+            plane.options.click?.(...under(plane, event));
         }
     };
     canvas.addEventListener("pointerup", lift);
     canvas.addEventListener("pointercancel", lift);
-    canvas.addEventListener("pointerleave", () => plane.probe(null, null));
+    canvas.addEventListener("pointerleave", () => plane.options.probe?.(null, null));
 }
 
 const keys = {
-    ArrowLeft: (plane) => plane.pan(-0.1, 0),
-    ArrowRight: (plane) => plane.pan(0.1, 0),
-    ArrowUp: (plane) => plane.pan(0, 0.1),
-    ArrowDown: (plane) => plane.pan(0, -0.1),
     "+": (plane) => plane.zoom(0.5),
     "=": (plane) => plane.zoom(0.5),
     "-": (plane) => plane.zoom(2),
     0: (plane) => plane.reset(),
 };
 
-const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const step = 0.01; // of the window
 
 /// After each key, what lies in the middle is told. With shift the arrows move the handle.
 export function moveByKeys(plane) {
     plane.canvas.addEventListener("keydown", (event) => {
         const { x0, x1, y0, y1 } = plane.window;
-        const { handle } = plane.options;
-        if (handle && event.shiftKey && steps[event.key]) {
+        const { handle, click, probe } = plane.options;
+        const [dx, dy] = arrows[event.key] ?? [0, 0];
+        const isArrow = event.key in arrows;
+        if (handle && event.shiftKey && isArrow) {
             event.preventDefault();
-            const [dx, dy] = steps[event.key];
             handle.move(handle.x() + dx * step * (x1 - x0), handle.y() + dy * step * (y1 - y0));
             return;
         }
         if (event.key === "Enter") {
-            plane.options.click?.((x0 + x1) / 2, (y0 + y1) / 2);
+            click?.((x0 + x1) / 2, (y0 + y1) / 2);
             return;
         }
-        const move = keys[event.key];
+        const move = isArrow ? () => plane.pan(dx / 10, dy / 10) : keys[event.key];
         if (!move || event.ctrlKey || event.altKey || event.metaKey) {
             return;
         }
         event.preventDefault();
         move(plane);
         const w = plane.window;
-        plane.probe((w.x0 + w.x1) / 2, (w.y0 + w.y1) / 2);
+        probe?.((w.x0 + w.x1) / 2, (w.y0 + w.y1) / 2);
     });
 }

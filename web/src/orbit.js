@@ -79,15 +79,10 @@ export function joined(q, middle, out, back, scene, rho = 1 / q) {
 /// Where the point is at time t, with its velocity and the number of collisions so far.
 export function stateAt(orbit, t) {
     const { collisions, first } = orbit;
-    let lo = 0;
-    let hi = collisions.length; // the first collision that is later than t
+    let [lo, hi] = [0, collisions.length]; // the first collision that is later than t
     while (lo < hi) {
         const middle = (lo + hi) >> 1;
-        if (collisions[middle].t <= t) {
-            lo = middle + 1;
-        } else {
-            hi = middle;
-        }
+        [lo, hi] = collisions[middle].t <= t ? [middle + 1, hi] : [lo, middle];
     }
     const from = lo === 0 ? first : { ...collisions[lo - 1], ...collisions[lo - 1].after };
     const dt = t - from.t;

@@ -91,11 +91,6 @@ export class Plane {
     xAt(px) { return this.window.x0 + ((px - this.frame.x) / this.frame.width) * (this.window.x1 - this.window.x0); }
     yAt(py) { return this.window.y0 + ((this.frame.y + this.frame.height - py) / this.frame.height) * (this.window.y1 - this.window.y0); }
 
-    /// What is said about the place (x, y).
-    probe(x, y) {
-        this.options.probe?.(x, y);
-    }
-
     begin() {
         const { clientWidth: width, clientHeight: height } = this.canvas;
         const scale = devicePixelRatio || 1;

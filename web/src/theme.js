@@ -37,15 +37,9 @@ export function hatching(context) {
 }
 
 /// draw() is called whenever colours change.
-export function onTheme(draw) {
-    drawers.add(draw);
-}
+export const onTheme = (draw) => drawers.add(draw);
 
-export function redrawAll() {
-    for (const draw of drawers) {
-        draw();
-    }
-}
+const redrawAll = () => drawers.forEach((draw) => draw());
 
 function show(name) {
     document.getElementById("dark").media = mediaOfDark[name];

@@ -104,15 +104,9 @@ export function wedgeOrbit(lambda, q) {
     const kappa = r * lambda;
     const D = 1 + 2 * r * lambda - r;
     const mu = (2 + r * lambda - lambda) / D;
-    const at = (x) => {
-        const out = followWedge(x, kappa, r, -1);
-        const back = D > 0 ? followWedge(x, r * mu, r, -1) : [];
-        return { out, back };
-    };
-    const unit = at(1);
-    const farthest = Math.max(1, ...unit.out.map((c) => c.y), ...unit.back.map((c) => c.y));
-    const x = 1 / farthest;
-    const { out, back } = at(x);
+    const at = (x) => [followWedge(x, kappa, r, -1), D > 0 ? followWedge(x, r * mu, r, -1) : []];
+    const x = 1 / Math.max(1, ...at(1).flat().map((c) => c.y));
+    const [out, back] = at(x);
     const v = speed(kappa, r);
     const after = { vpsi: -v, vy: kappa * v };
     const middle = { t: 0, psi: Math.PI / 2 + x, y: x, heavy: false, before: bounced(after, 1, r), after };
@@ -141,11 +135,7 @@ export function nextStep(q, by, { from, to }) {
     let [same, other] = [q, end];
     for (let i = 0; i < 60; ++i) {
         const middle = (same + other) / 2;
-        if (count(middle) === here) {
-            same = middle;
-        } else {
-            other = middle;
-        }
+        [same, other] = count(middle) === here ? [middle, other] : [same, middle];
     }
     return other;
 }

@@ -110,7 +110,7 @@ int run_adiabatic(const Given& given) {
     const bool complete = std::ranges::all_of(
         report.results, [](const adiabatic::Result& result) { return result.proof.complete(); });
     if (output.is_wanted() && complete) {
-        write(render(certificate_of(report.results.front().proof)), output, report);
+        write(render(report.results.front().proof), output, report);
     }
     fmt::print(output.report(), "{}", shown(report, given));
     if (complete) {

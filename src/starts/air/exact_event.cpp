@@ -38,16 +38,16 @@ std::optional<Rational> corner(const Box& box) {
 
 std::optional<ExactEvent> exact_event(const Box& box, const std::optional<Angle>& phi) {
     if (grazes(box)) {
-        return ExactEvent{ExactKind::graze};
+        return ExactEvent{Obstacle::graze};
     }
     if (is_exactly(box, Axis::phidot, 0) && is_level(box, phi) && box.upper(Axis::ydot) < 0) {
         const Rational& y = box.lower(Axis::y);
         const Rational& ydot = box.lower(Axis::ydot);
         const bool at_once = is_exactly(box, Axis::y, y) && is_exactly(box, Axis::ydot, ydot);
-        return ExactEvent{ExactKind::flat, at_once ? std::optional(Rational(y / -ydot)) : std::nullopt};
+        return ExactEvent{Obstacle::flat, at_once ? std::optional(Rational(y / -ydot)) : std::nullopt};
     }
     const auto time = corner(box);
-    return time ? std::optional(ExactEvent{ExactKind::corner, time}) : std::nullopt;
+    return time ? std::optional(ExactEvent{Obstacle::corner, time}) : std::nullopt;
 }
 
 }  // namespace dumbbell::starts

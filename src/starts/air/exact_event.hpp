@@ -4,19 +4,15 @@
 
 #include "starts/cover/certificate.hpp"
 #include "starts/given/angle.hpp"
+#include "starts/walls/obstacle.hpp"
 
 namespace dumbbell::starts {
 
-/// What enclosures do not decide at any precision, but exact arithmetic does.
-enum class ExactKind {
-    flat,    ///< the rod comes down level, without turning: both masses reach the floor at once
-    corner,  ///< both masses reach the floor at once, before either has touched it
-    graze    ///< a mass touches the floor without a velocity towards it, in each turn, and nothing collides
-};
-
-/// That all starts of a box have.
+/// What all starts of a box have. Enclosures do not decide it at any precision, but exact arithmetic does: a
+/// flat fall, a corner before either mass has touched the floor, or a mass that grazes it in each turn, and
+/// nothing collides.
 struct ExactEvent {
-    ExactKind kind;
+    Obstacle kind;                   ///< flat, corner or graze
     std::optional<Rational> time{};  ///< of a corner of a single start
 };
 

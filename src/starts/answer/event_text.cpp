@@ -26,10 +26,6 @@ constexpr std::array<Words, obstacles> words{
 
 const Words& words_of(Obstacle obstacle) { return words.at(static_cast<std::size_t>(obstacle)); }
 
-const char* name(ExactKind kind) {
-    return kind == ExactKind::flat ? "flat" : kind == ExactKind::corner ? "corner" : "graze";
-}
-
 }  // namespace
 
 std::string event_text(Obstacle obstacle) { return words_of(obstacle).near; }
@@ -61,14 +57,14 @@ Json kinds_json(const Subdivision& parts) {
 
 std::string corner_text(const ExactEvent& event) {
     return fmt::format("{}both masses reach the floor at once{} (a corner, where no motion is defined)",
-                       event.kind == ExactKind::flat ? "the rod falls flat: " : "",
+                       event.kind == Obstacle::flat ? "the rod falls flat: " : "",
                        event.time ? ", at time " + exact_text(*event.time) : "");
 }
 
 Json event_json(const std::optional<ExactEvent>& event, const std::optional<Obstacle>& obstacle,
                 std::size_t collisions) {
-    const bool none_collides = event && event->kind == ExactKind::graze;
-    return Json::object({{"kind", event ? name(event->kind) : words_of(*obstacle).name},
+    const bool none_collides = event && event->kind == Obstacle::graze;
+    return Json::object({{"kind", words_of(event ? event->kind : *obstacle).name},
                          {"certain", event.has_value()},
                          {"collision", none_collides ? Json() : Json(collisions + 1)},
                          {"time", event && event->time ? Json(to_fraction(*event->time)) : Json()}});

@@ -49,21 +49,12 @@ class Volumes {
     std::vector<Rational> waiting_{1};  ///< the volumes of the nodes to come: the next one last
 };
 
-constexpr unsigned share_decimals = 12;
-
 /// x in [0, 1] with twelve decimals, rounded up or down.
 std::string fixed(const Rational& x, bool up) {
-    const Integer one = pow(Integer(10), share_decimals);
-    const Rational scaled = x * Rational(one);
-    Integer units = numerator(scaled) / denominator(scaled);
-    if (up && Rational(units) < scaled) {
-        units += 1;
-    }
-    const Rational whole = Rational(units);
-    if (whole >= Rational(one)) {
-        return "1.000000000000";
-    }
-    return fmt::format("0.{:012}", whole.convert_to<long>());
+    constexpr long one = 1'000'000'000'000;
+    const Rational scaled = x * one;
+    const long below = scaled.convert_to<long>(), units = below + (up && scaled > below ? 1 : 0);
+    return fmt::format("{}.{:012}", units / one, units % one);
 }
 
 std::string counts_text(const ShareBounds& bounds) {

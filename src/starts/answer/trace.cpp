@@ -148,7 +148,7 @@ int working_bits(int digits) {
 Trace trace(const Box& box, int digits, Observer& observer, const Interrupted& interrupted) {
     const int bits = working_bits(digits);
     const auto event = exact_event(box);
-    if (event && event->kind == ExactKind::graze) {
+    if (event && event->kind == Obstacle::graze) {
         return {.collisions = {}, .least = 0, .most = 0, .bits = bits, .widths = {}};
     }
     if (digits == 0) {

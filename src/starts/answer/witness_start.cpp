@@ -60,13 +60,6 @@ Rational rounded(const BigInterval& x, int places, const std::optional<BigInterv
     return Rational(floor(value * unit + Rational(1, 2))) / unit;
 }
 
-Box point(const Rational& phi, const Rational& phidot, const Rational& y, const Rational& ydot,
-          const Rational& q) {
-    Box box;
-    box.lo = box.hi = {phi, phidot, y, ydot, q};
-    return box;
-}
-
 }  // namespace
 
 std::optional<collisions::WitnessStart> witness_start(const collisions::Witness& witness, const Rational& q,
@@ -89,7 +82,8 @@ std::optional<collisions::WitnessStart> witness_start(const collisions::Witness&
         if (ydot >= 0) {
             continue;
         }
-        const Trace found = trace(point(phi, phidot, 2, ydot, q), digits);
+        const std::array<Rational, axis_count> point{phi, phidot, 2, ydot, q};
+        const Trace found = trace({point, point}, digits);
         if (found.exact() && found.least == witness.total()) {
             return collisions::WitnessStart{spelled(phi), spelled(phidot), "2", spelled(ydot), digits};
         }

@@ -2,17 +2,12 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import test, { after } from "node:test";
-import { launch, open } from "./browser.mjs";
-import { certificates, report, root, scratch } from "./program.mjs";
+import { stage } from "./browser.mjs";
+import { root } from "./program.mjs";
 
 const axe = readFileSync(join(root, "web", "node_modules", "axe-core", "axe.min.js"), "utf8");
-const place = scratch();
-const files = certificates(place);
+const { files, onPage } = await stage();
 const { stairs, ten, full, rod, starts, incoming, adiabatic } = files; // one of each kind of page
-const everything = report(place("all.html"), stairs, ten, full, rod, starts, incoming, adiabatic);
-const browser = await launch();
-after(() => browser.close());
 
 const findings = (page) =>
     page.evaluate(async () => {
@@ -20,8 +15,7 @@ const findings = (page) =>
         return violations.map(({ id, impact, nodes }) => `${impact}: ${id}: ${nodes.slice(0, 3).map((node) => node.html.slice(0, 120)).join(" | ")}`);
     });
 
-test("axe finds nothing, narrow and wide, light and dark, with everything unfolded", async () => {
-    const page = await open(browser, everything);
+onPage("axe finds nothing, narrow and wide, light and dark, with everything unfolded", [stairs, ten, full, rod, starts, incoming, adiabatic], async (page) => {
     await page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
     await page.evaluate(axe);
     for (const width of [400, 1280]) {
@@ -31,11 +25,9 @@ test("axe finds nothing, narrow and wide, light and dark, with everything unfold
             assert.deepEqual(await findings(page), [], `${width} px, ${colorScheme}`);
         }
     }
-    await page.close();
 });
 
-test("axe does find what is wrong", async () => {
-    const page = await open(browser, report(place("ten.html"), ten));
+onPage("axe does find what is wrong", ten, async (page) => {
     await page.evaluate(() => {
         document.querySelector("#file-1 .plane-buttons button:last-child").setAttribute("aria-label", "Show everything");
         document.querySelector("#file-1 thead th").textContent = "";
@@ -44,11 +36,9 @@ test("axe does find what is wrong", async () => {
     const found = (await findings(page)).join("\n");
     assert.match(found, /serious: label-content-name-mismatch/);
     assert.match(found, /empty-table-header/);
-    await page.close();
 });
 
-test("what is computed is read out: results are live, and a player is silent while it plays", async () => {
-    const page = await open(browser, report(place("some.html"), stairs, ten));
+onPage("what is computed is read out: results are live, and a player is silent while it plays", [stairs, ten], async (page) => {
     const lives = await page.evaluate(() => [...document.querySelectorAll("output")].map((o) => o.getAttribute("aria-live")));
     assert.ok(lives.length > 4 && lives.every((live) => live === "polite"), lives.join());
     const player = page.locator("#file-2 .player");
@@ -56,5 +46,4 @@ test("what is computed is read out: results are live, and a player is silent whi
     assert.equal(await player.locator("output").getAttribute("aria-live"), "off");
     await player.getByRole("button", { name: "Pause" }).click();
     assert.equal(await player.locator("output").getAttribute("aria-live"), "polite");
-    await page.close();
 });

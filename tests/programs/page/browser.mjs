@@ -1,7 +1,9 @@
 // A page in headless Chromium: what it complains about, what it asks for, what it has drawn.
+import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { join } from "node:path";
-import { root } from "./program.mjs";
+import test, { after } from "node:test";
+import { certificates, report, root, scratch } from "./program.mjs";
 
 const { chromium } = createRequire(join(root, "web", "package.json"))("playwright-core");
 
@@ -35,6 +37,23 @@ export async function open(browser, file, { moves = false, ...options } = {}) {
         });
     }
     return page;
+}
+
+/// What tests of pages have in common: a browser, certificates of every kind, and onPage(name, files, run, options), a test that opens the
+/// report on these files, which must not complain: run(page, its file).
+export async function stage() {
+    const place = scratch();
+    const files = certificates(place);
+    const browser = await launch();
+    after(() => browser.close());
+    const onPage = (name, of, run, options) => test(name, async () => {
+        const file = report(place("page.html"), ...[of].flat());
+        const page = await open(browser, file, options);
+        await run(page, file);
+        assert.deepEqual(page.complaints, []);
+        await page.close();
+    });
+    return { browser, files, onPage, place };
 }
 
 /// After a gesture a slow picture is drawn anew a moment later: by a timer of the page, after which this one comes.

@@ -1,14 +1,12 @@
 // Pixels: pictures are not blank, and have the right colours where it is known what is there.
 import assert from "node:assert/strict";
-import test, { after } from "node:test";
+import test from "node:test";
 import { readFileSync } from "node:fs";
-import { colour, inkShare, launch, open, pixels, placeOf, settled } from "./browser.mjs";
-import { certificates, dataIn, dumbbell, report, scratch } from "./program.mjs";
+import { gunzipSync } from "node:zlib";
+import { colour, inkShare, open, pixels, placeOf, settled, stage } from "./browser.mjs";
+import { dataIn, dumbbell, report } from "./program.mjs";
 
-const place = scratch();
-const files = certificates(place);
-const browser = await launch();
-after(() => browser.close());
+const { browser, files, onPage, place } = await stage();
 
 const plain = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)).join(",");
 /// The colour that a page's data give to a number of collisions.
@@ -39,8 +37,7 @@ async function unfold(page) {
 }
 
 for (const colorScheme of ["light", "dark"]) {
-    test(`the staircase has its steps, its gaps and the paper's bound where they are (${colorScheme})`, async () => {
-        const page = await open(browser, report(place("stairs.html"), files.stairs), { colorScheme });
+    onPage(`the staircase has its steps, its gaps and the paper's bound where they are (${colorScheme})`, files.stairs, async (page) => {
         const canvas = page.locator("#file-1 .map canvas").first();
         const picture = await pixels(canvas);
         assert.ok(inkShare(picture) > 0.01);
@@ -52,12 +49,9 @@ for (const colorScheme of ["light", "dark"]) {
         assert.ok(has(picture, await placeOf(canvas, Math.log10(4.6033388), 3.5), await colour(page, "--gap")));
         assert.ok(has(picture, await placeOf(canvas, Math.log10(4), 5), await colour(page, "--paper"), 8));
         assert.ok(has(picture, await placeOf(canvas, Math.log10(50), 2 + 0.8855951 * Math.sqrt(50)), await colour(page, "--growth"), 6));
-        await page.close();
-    });
+    }, { colorScheme });
 
-    test(`a cover of one box is one colour, and beside it there is none (${colorScheme})`, async () => {
-        const ten = report(place("ten.html"), files.ten);
-        const page = await open(browser, ten, { colorScheme });
+    onPage(`a cover of one box is one colour, and beside it there is none (${colorScheme})`, files.ten, async (page, ten) => {
         await unfold(page);
         const canvas = page.locator("#file-1 .map canvas").first();
         const picture = await pixels(canvas);
@@ -66,8 +60,7 @@ for (const colorScheme of ["light", "dark"]) {
             assert.ok(near(picture.at(...(await placeOf(canvas, e, eta))), countInk(ten, 4, colorScheme)));
         }
         assert.equal(picture.at(...(await placeOf(canvas, 2.03, 7.3))), "");
-        await page.close();
-    });
+    }, { colorScheme });
 }
 
 /// The count of a collision file's box at a point of the full section's chart departure, by walking through the file's own text.
@@ -94,11 +87,8 @@ function countAt(text, e, eta) {
     return 1 + Number(lines[i].split(" ")[1]);
 }
 
-test("boxes have the colours of their counts: the file's own lines against the picture", async () => {
-    const { gunzipSync } = await import("node:zlib");
+onPage("boxes have the colours of their counts: the file's own lines against the picture", files.full, async (page, full) => {
     const text = gunzipSync(readFileSync(files.full)).toString();
-    const full = report(place("full.html"), files.full);
-    const page = await open(browser, full);
     const canvas = page.locator("#file-1 .map canvas").first();
     const points = [[0.1, 0.2], [0.3, 1.5], [1.5, 0.3], [0.9, 0.2], [1.2, 0.9], [0.55, 1.7], [1.9, 0.3]];
     const picture = await pixels(canvas);
@@ -107,11 +97,9 @@ test("boxes have the colours of their counts: the file's own lines against the p
         const at = await placeOf(canvas, e, eta);
         assert.ok(has(picture, at, ink, 3), `(${e}, ${eta}) has ${picture.at(...at)}, not ${ink}`);
     }
-    await page.close();
 });
 
-test("pointing at a box tells its range, its reason and the verifier's command, which explains that box", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("pointing at a box tells its range, its reason and the verifier's command, which explains that box", files.full, async (page) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     await canvas.scrollIntoViewIfNeeded();
     const [x, y] = await placeOf(canvas, 0.9, 0.2);
@@ -124,18 +112,15 @@ test("pointing at a box tells its range, its reason and the verifier's command, 
     assert.ok(range[0] <= 0.9 && 0.9 <= range[1] && range[2] <= 0.2 && 0.2 <= range[3], told);
     assert.ok(explained.includes(`within [${range[0]}`), explained.slice(0, 400));
     assert.match(explained, new RegExp(/count \d+/.exec(told)[0]));
-    await page.close();
 });
 
-test("the extremal orbits and the witness are marked", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("the extremal orbits and the witness are marked", files.ten, async (page) => {
     await unfold(page);
     const canvas = page.locator("#file-1 .map canvas").first();
     const picture = await pixels(canvas);
     for (const [e, eta, name] of [[0.5, 0.5, "--mark"], [Math.PI / 2, 0, "--mark-top"], [0, 0, "--mark-corner"]]) {
         assert.ok(has(picture, await placeOf(canvas, e, eta), await colour(page, name), 2), name);
     }
-    await page.close();
 });
 
 test("a colour means the same in the page and in the pictures of dumbbell plot, light and dark", async () => {
@@ -171,9 +156,7 @@ test("a colour means the same in the page and in the pictures of dumbbell plot, 
     await Promise.all(Object.values(page).map((of) => of.close()));
 });
 
-test("initial conditions are coloured by their exact counts, which trace confirms", async () => {
-    const starts = report(place("starts.html"), files.starts);
-    const page = await open(browser, starts);
+onPage("initial conditions are coloured by their exact counts, which trace confirms", files.starts, async (page, starts) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     const picture = await pixels(canvas);
     for (const [phi, phidot] of [[1.4, 0.2], [0.3, -0.4], [2.8, 0.1]]) {
@@ -181,11 +164,9 @@ test("initial conditions are coloured by their exact counts, which trace confirm
         const ink = countInk(starts, traced.least);
         assert.ok(has(picture, await placeOf(canvas, phi, phidot), ink, 2), `(${phi}, ${phidot}): ${traced.least}`);
     }
-    await page.close();
 });
 
-test("the dumbbell and its point are drawn, for a wedge the point alone", async () => {
-    const page = await open(browser, report(place("two.html"), files.ten, files.wedge));
+onPage("the dumbbell and its point are drawn, for a wedge the point alone", [files.ten, files.wedge], async (page) => {
     const point = await colour(page, "--point");
     const dumbbell = page.locator("#file-1 .dumbbell svg");
     const places = await dumbbell.evaluate((svg) => {
@@ -211,5 +192,4 @@ test("the dumbbell and its point are drawn, for a wedge the point alone", async 
         }
     }
     assert.ok(seen);
-    await page.close();
 });

@@ -1,21 +1,16 @@
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import test, { after } from "node:test";
-import { launch, open } from "./browser.mjs";
-import { certificates, dumbbell, long, report, scratch } from "./program.mjs";
+import { copyFileSync, readFileSync } from "node:fs";
+import { stage } from "./browser.mjs";
+import { dumbbell, long } from "./program.mjs";
 
-const place = scratch();
-const files = certificates(place);
-const everything = report(place("all.html"), ...Object.values(files));
-const browser = await launch();
-after(() => browser.close());
+const { files, onPage, place } = await stage();
+const everything = Object.values(files);
 
 const overflow = () => document.documentElement.scrollWidth - document.documentElement.clientWidth;
 const beyond = () => [...document.querySelectorAll("main *")]
     .filter((e) => !e.closest(".scroll, .command, option") && e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.outerHTML.slice(0, 90));
 
-test("every kind of certificate, at three widths, light and dark: no error, no request, no overflow", async () => {
-    const page = await open(browser, everything);
+onPage("every kind of certificate, at three widths, light and dark: no error, no request, no overflow", everything, async (page, all) => {
     for (const unfolded of [false, true]) {
         await page.evaluate((open) => open && document.querySelectorAll("details").forEach((details) => (details.open = true)), unfolded);
         for (const width of [400, 800, 1600]) {
@@ -28,21 +23,16 @@ test("every kind of certificate, at three widths, light and dark: no error, no r
             }
         }
     }
-    assert.deepEqual(page.complaints, []);
-    assert.deepEqual(page.requests, [`file://${everything}`]);
-    await page.close();
+    assert.deepEqual(page.requests, [`file://${all}`]);
 });
 
 for (const [name, file] of Object.entries({ ...files, long })) {
-    test(`${name} alone: no error, its name, its checksum, the command that verifies it`, async () => {
-        const page = await open(browser, report(place(`${name}.html`), file));
+    onPage(`${name} alone: no error, its name, its checksum, the command that verifies it`, file, async (page) => {
         const text = await page.textContent("main");
         assert.match(text, /dumbbell verify --/);
         assert.match(text, /It has not been verified here/);
         assert.match(text, /[0-9a-f]{64}/);
         assert.ok(text.includes(file.split("/").at(-1)));
-        assert.deepEqual(page.complaints, []);
-        await page.close();
     });
 }
 
@@ -50,13 +40,12 @@ for (const [name, file] of Object.entries({ ...files, long })) {
 const far = ["1.2e38", "1.0345e32:1.034500000000000095e32"];
 
 for (const ratio of far) {
-    test(`the counts of q = ${ratio} are the certificate's, to the last digit`, async () => {
-        const file = place(`far-${ratio.replace(":", "-")}.dbc`);
-        dumbbell("certify", ratio, "--out", file, "--quiet");
+    const file = place(`far-${ratio.replace(":", "-")}.dbc`);
+    dumbbell("certify", ratio, "--out", file, "--quiet");
+    onPage(`the counts of q = ${ratio} are the certificate's, to the last digit`, file, async (page) => {
         const lines = readFileSync(file, "utf8").split("\n");
         const counts = lines.flatMap((line) => /^(?:upper|lower) (\d+)$/.exec(line)?.[1] ?? []);
         assert.ok(counts.length >= 2 && counts.every((n) => BigInt(n) > 2n ** 53n), String(counts));
-        const page = await open(browser, report(place("far.html"), file));
         const text = await page.textContent("main");
         assert.deepEqual(counts.filter((n) => !text.includes(n)), []);
         const pieces = await page.locator("table").filter({ hasText: "claimed" }).textContent();
@@ -65,13 +54,10 @@ for (const ratio of far) {
         }
         const [, forward, backward] = /^witness \S+ \S+ \S+ (\d+) (\d+)$/m.exec(lines.join("\n"));
         assert.ok(text.includes(`${1n + BigInt(forward) + BigInt(backward)} in all`) || counts.length > 2);
-        assert.deepEqual(page.complaints, []);
-        await page.close();
     });
 }
 
-test("what is claimed is said, with its lemmas", async () => {
-    const page = await open(browser, report(place("some.html"), files.ten, files.stairs, files.full, files.plain, files.starts, files.incoming, files.coin, files.rod));
+onPage("what is claimed is said, with its lemmas", [files.ten, files.stairs, files.full, files.plain, files.starts, files.incoming, files.coin, files.rod], async (page) => {
     const text = await page.textContent("main");
     for (const words of [
         "With mass ratio q = 10 no trajectory hits the floor more than 4 times, and some trajectory does so 4 times",
@@ -93,37 +79,25 @@ test("what is claimed is said, with its lemmas", async () => {
     }
     assert.equal(text.split("The heavy mass hits the floor at most once.").length, 3); // of full and plain, not of bodies
     assert.ok(await page.locator("figure img").evaluate((map) => map.naturalWidth > 0)); // of the plane of bodies
-    await page.close();
 });
 
-test("several files are counted in the page's title, one is named", async () => {
-    const named = await open(browser, report(place("named.html"), files.ten));
-    assert.equal(await named.title(), "dumbbell report: q-10.dbc");
-    const counted = await open(browser, everything);
-    assert.equal(await counted.title(), `dumbbell report: ${Object.keys(files).length} files`);
-    await Promise.all([named.close(), counted.close()]);
-});
+for (const [of, title] of [[files.ten, "q-10.dbc"], [everything, `${everything.length} files`]]) {
+    onPage(`the page's title tells its file, or counts them: ${title}`, of, async (page) => assert.equal(await page.title(), `dumbbell report: ${title}`));
+}
 
-test("the adiabatic claims say their constants, for the delta that they are about", async () => {
-    const page = await open(browser, report(place("adiabatic.html"), files.adiabatic));
+onPage("the adiabatic claims say their constants, for the delta that they are about", files.adiabatic, async (page) => {
     const claims = await page.locator(".claim").allTextContents();
     assert.match(claims[0], /^For \u03b4 = 0\.01, .*\u2264 \d+(\.\d+)? \u03b4\.$/);
-    await page.close();
 });
 
-test("a file's name is text, whatever it is", async () => {
-    const { copyFileSync } = await import("node:fs");
-    const odd = place("<img src=x onerror=alert(1)>.dbc");
-    copyFileSync(files.ten, odd);
-    const page = await open(browser, report(place("odd.html"), odd));
+const odd = place("<img src=x onerror=alert(1)>.dbc");
+copyFileSync(files.ten, odd);
+onPage("a file's name is text, whatever it is", odd, async (page) => {
     assert.equal(await page.locator("img").count(), 0);
     assert.ok((await page.textContent("main")).includes("<img src=x onerror=alert(1)>.dbc"));
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("on paper everything is open and white, and afterwards as it was", async () => {
-    const page = await open(browser, report(place("print.html"), files.stairs, files.full), { colorScheme: "dark" });
+onPage("on paper everything is open and white, and afterwards as it was", [files.stairs, files.full], async (page) => {
     const state = () => page.evaluate(() => [document.querySelectorAll("details:not([open])").length, getComputedStyle(document.body).backgroundColor]);
     const before = await state();
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -145,6 +119,4 @@ test("on paper everything is open and white, and afterwards as it was", async ()
     await page.emulateMedia({ media: null });
     const pdf = await page.pdf({ format: "A4" });
     assert.ok(pdf.length > 20000);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
-});
+}, { colorScheme: "dark" });

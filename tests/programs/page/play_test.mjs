@@ -1,14 +1,11 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import test, { after } from "node:test";
-import { launch, open, pixels, placeOf } from "./browser.mjs";
+import test from "node:test";
+import { open, pixels, placeOf, stage } from "./browser.mjs";
 import { paperBound } from "../../../web/src/paper.js";
-import { certificates, report, scratch } from "./program.mjs";
+import { report } from "./program.mjs";
 
-const place = scratch();
-const files = certificates(place);
-const browser = await launch();
-after(() => browser.close());
+const { browser, files, onPage, place } = await stage();
 
 const player = (page, section = "#file-1") => {
     const of = page.locator(`${section} .player`);
@@ -22,8 +19,7 @@ const player = (page, section = "#file-1") => {
     };
 };
 
-test("step by step through all collisions, and back", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("step by step through all collisions, and back", files.ten, async (page) => {
     const { status, button } = player(page);
     assert.match(await status(), /^Before the first of 4 collisions/);
     const masses = [];
@@ -40,12 +36,9 @@ test("step by step through all collisions, and back", async () => {
     assert.match(await status(), /^Collision 4 of 4/);
     await button("Start").click();
     assert.match(await status(), /^Before the first/);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("play moves the dumbbell and its point, and stops at the end or when asked", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("play moves the dumbbell and its point, and stops at the end or when asked", files.ten, async (page) => {
     const { of, button, position, dumbbell, point, status } = player(page);
     const before = [await dumbbell(), (await point()).bytes];
     // Inside the page, so that it is asked in time.
@@ -73,12 +66,9 @@ test("play moves the dumbbell and its point, and stops at the end or when asked"
     await page.waitForFunction((scrub) => scrub.value === scrub.max, await of.locator(".scrub").elementHandle());
     assert.match(await status(), /^After all 4 collisions/);
     assert.equal(await button("Play").count(), 1);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("scrubbing shows any moment", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("scrubbing shows any moment", files.full, async (page) => {
     const { of, status } = player(page);
     const scrub = of.locator(".scrub");
     const at = async (p) => {
@@ -90,11 +80,9 @@ test("scrubbing shows any moment", async () => {
     };
     assert.match(await at(3), /^Collision 3 of 10/);
     assert.match(await at(3.1), /^Between collisions 3 and 4 of 10/);
-    await page.close();
 });
 
-test("by keys alone: space plays, comma and full stop step, arrows scrub", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("by keys alone: space plays, comma and full stop step, arrows scrub", files.ten, async (page) => {
     const { of, status, position, button } = player(page);
     await of.getByLabel("Speed").selectOption("0.25");
     await of.locator(".scrub").focus();
@@ -109,11 +97,9 @@ test("by keys alone: space plays, comma and full stop step, arrows scrub", async
     assert.equal(await button("Pause").count(), 1);
     await page.keyboard.press(" ");
     assert.equal(await button("Play").count(), 1);
-    await page.close();
 });
 
-test("every control can be reached by the tab key and shows that it has the focus", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("every control can be reached by the tab key and shows that it has the focus", files.full, async (page) => {
     const wanted = await page.locator("a[href], button, select, input, canvas[tabindex], summary").count();
     const reached = new Set();
     for (let i = 0; i < wanted + 60; ++i) {
@@ -129,11 +115,9 @@ test("every control can be reached by the tab key and shows that it has the focu
         }
     }
     assert.ok(reached.size >= wanted, `${reached.size} of ${wanted}`);
-    await page.close();
 });
 
-test("where motion is to be reduced, play goes from collision to collision", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten), { reducedMotion: "reduce" });
+onPage("where motion is to be reduced, play goes from collision to collision", files.ten, async (page) => {
     const { of, button } = player(page);
     await of.getByLabel("Speed").selectOption("5");
     const seen = await page.evaluate(() => {
@@ -150,11 +134,9 @@ test("where motion is to be reduced, play goes from collision to collision", asy
     await button("Play").click();
     await page.waitForFunction((scrub) => window.positions.has(scrub.max), await of.locator(".scrub").elementHandle());
     assert.deepEqual(await page.evaluate(() => [...window.positions]), ["0", "1", "2", "3", "4", "5"]);
-    await page.close();
-});
+}, { reducedMotion: "reduce" });
 
-test("each witness of a staircase can be chosen", async () => {
-    const page = await open(browser, report(place("stairs.html"), files.stairs));
+onPage("each witness of a staircase can be chosen", files.stairs, async (page) => {
     const { status } = player(page);
     const witness = page.getByLabel("Witness", { exact: true });
     const n = await witness.locator("option").count();
@@ -165,12 +147,9 @@ test("each witness of a staircase can be chosen", async () => {
         const shown = Number(/first of (\d+) collisions/.exec(await status())[1]);
         assert.ok(shown === Number(claimed) || shown === Number(claimed) + 1, `${i}: ${shown}, claimed ${claimed}`);
     }
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("your own start is followed, called not rigorous, and comes with the command that is", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("your own start is followed, called not rigorous, and comes with the command that is", files.ten, async (page) => {
     const own = page.locator("#own");
     assert.match(await own.textContent(), /Not rigorous/);
     assert.match(await own.locator(".readout").first().textContent(), /In doubles: 3 collisions/);
@@ -190,11 +169,9 @@ test("your own start is followed, called not rigorous, and comes with the comman
     await own.getByLabel("height y", { exact: true }).fill("0");
     await own.getByRole("button", { name: "Follow it" }).click();
     assert.match(await own.locator(".readout").first().textContent(), /above the floor/);
-    await page.close();
 });
 
-test("what is wrong with your own start is told by the field's name; ratios below 1 and corners as dumbbell trace has them", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("what is wrong with your own start is told by the field's name; ratios below 1 and corners as dumbbell trace has them", files.ten, async (page) => {
     const own = page.locator("#own");
     const field = (label) => own.getByLabel(label, { exact: true });
     const told = async () => {
@@ -218,34 +195,27 @@ test("what is wrong with your own start is told by the field's name; ratios belo
     }
     assert.match(await told(), /In doubles: 0 collisions, then both masses hit the floor at once, and no motion is defined\./);
     assert.match(await own.locator(".player .readout").textContent(), /both masses hit the floor at once/);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("heights are told in rod lengths: the height that was typed is the height that is shown", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("heights are told in rod lengths: the height that was typed is the height that is shown", files.ten, async (page) => {
     const own = page.locator("#own");
     await own.getByLabel("mass ratio q", { exact: true }).fill("4");
     await own.getByLabel("height y", { exact: true }).fill("1.25");
     await own.getByRole("button", { name: "Follow it" }).click();
     assert.match(await own.locator(".player .readout").textContent(), /y = 1\.25 rod lengths; velocity \(\u03c8, y\) 1, \u22120\.8\./);
-    await page.close();
 });
 
-test("a click on a box of initial conditions plays the orbit from its centre", async () => {
-    const page = await open(browser, report(place("starts.html"), files.starts));
+onPage("a click on a box of initial conditions plays the orbit from its centre", files.starts, async (page) => {
     const canvas = page.locator("#file-1 .plane canvas").first();
     await canvas.hover({ position: { x: 500, y: 200 } });
     const told = await page.locator("#file-1 figure .readout").first().textContent();
     const count = /Exactly (\d+) collision/.exec(told)[1];
     await canvas.click({ position: { x: 500, y: 200 } });
     assert.match(await page.locator("#own .readout").first().textContent(), new RegExp(`In doubles: ${count} collision`));
-    await page.close();
 });
 
 for (const kind of ["starts", "incoming"]) {
-    test(`a start is dragged, or moved by keys, through the picture of ${kind}: its certified and its simulated count agree`, async () => {
-        const page = await open(browser, report(place(`${kind}.html`), files[kind]));
+    onPage(`a start is dragged, or moved by keys, through the picture of ${kind}: its certified and its simulated count agree`, files[kind], async (page) => {
         const canvas = page.locator("#file-1 .plane canvas").first();
         await canvas.scrollIntoViewIfNeeded();
         const told = () => page.locator("#file-1 figure .readout.start").textContent();
@@ -273,13 +243,10 @@ for (const kind of ["starts", "incoming"]) {
         await canvas.focus();
         await page.keyboard.press("Shift+ArrowRight");
         assert.ok(Number(await page.locator("#own input[name=phi]").inputValue()) > Number(now));
-        assert.deepEqual(page.complaints, []);
-        await page.close();
     });
 }
 
-test("the choice of colours changes page and pictures at once", async () => {
-    const page = await open(browser, report(place("ten.html"), files.ten));
+onPage("the choice of colours changes page and pictures at once", files.ten, async (page) => {
     const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     const canvas = page.locator("#file-1 .player .plane canvas");
     const light = (await pixels(canvas)).bytes;
@@ -293,7 +260,6 @@ test("the choice of colours changes page and pictures at once", async () => {
     assert.equal(await background(), "rgb(255, 255, 255)");
     await page.getByLabel("Colours").first().selectOption("auto");
     assert.equal(await background(), "rgb(20, 24, 31)");
-    await page.close();
 });
 
 test("a page begins with motion, once; where that is not wanted it stands still", async () => {
@@ -307,8 +273,7 @@ test("a page begins with motion, once; where that is not wanted it stands still"
     await still.close();
 });
 
-test("the mass ratio moves through the steps, where the longest orbit gains a collision", async () => {
-    const page = await open(browser, report(place("stairs.html"), files.stairs));
+onPage("the mass ratio moves through the steps, where the longest orbit gains a collision", files.stairs, async (page) => {
     const birth = page.locator("#file-1 .birth");
     const told = () => birth.locator(".readout").textContent();
     assert.match(await told(), /^q = 10: the longest orbit, .*, has 4 collisions/);
@@ -318,12 +283,9 @@ test("the mass ratio moves through the steps, where the longest orbit gains a co
     assert.match(await told(), /^q = 11\.36\d*: .* has 4 collisions; the other one \(faint\) 3\.$/);
     await birth.getByLabel("Mass ratio q").press("End");
     assert.match(await told(), /^q = 100: .* has 10 collisions/);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("unfolded, the wedge has as many walls as the paper says on the line, and the floor the longest orbit's contacts", async () => {
-    const page = await open(browser, report(place("stairs.html"), files.stairs));
+onPage("unfolded, the wedge has as many walls as the paper says on the line, and the floor the longest orbit's contacts", files.stairs, async (page) => {
     const figure = page.locator("#file-1 .unfolded");
     const told = (i) => figure.locator(".readout").nth(i).textContent();
     const dots = (i) => figure.locator("svg").nth(i).locator(".dot").evaluateAll((all) => all.map((dot) => [dot.classList[0], ...dot.getAttribute("d").match(/-?[\d.]+/g).slice(0, 2).map(Number)]));
@@ -348,13 +310,9 @@ test("unfolded, the wedge has as many walls as the paper says on the line, and t
     assert.match(await told(0), /It passes above all bridges\. But it crosses the walls 1 to 3 and 14 to 16 where/);
     await line.press("Home");
     assert.match(await told(0), /below the bridge/);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("a start has a link, and a picture can be saved", async () => {
-    const file = report(place("ten.html"), files.ten);
-    const page = await open(browser, file);
+onPage("a start has a link, and a picture can be saved", files.ten, async (page, file) => {
     await page.locator("#own input[name=phi]").fill("\u03c0/6");
     await page.locator("#own input[name=phi]").press("Enter");
     const link = await page.getByText("A link to this start").getAttribute("href");
@@ -374,6 +332,4 @@ test("a start has a link, and a picture can be saved", async () => {
     await picture.setContent(svg);
     assert.ok(await picture.evaluate(() => document.querySelectorAll("svg path").length > 10));
     await picture.close();
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });

@@ -1,18 +1,13 @@
 import assert from "node:assert/strict";
-import test, { after } from "node:test";
-import { colour, launch, open, pixels, placeOf, settled } from "./browser.mjs";
-import { certificates, long, report, scratch } from "./program.mjs";
+import { colour, pixels, placeOf, settled, stage } from "./browser.mjs";
+import { long } from "./program.mjs";
 
-const place = scratch();
-const files = certificates(place);
-const browser = await launch();
-after(() => browser.close());
+const { files, onPage } = await stage();
 
 const windowOf = (canvas) => canvas.evaluate((c) => JSON.parse(c.dataset.window));
 const span = ({ x0, x1 }) => x1 - x0;
 
-test("buttons, keys, double click and wheel zoom; 0 and Reset show everything again", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("buttons, keys, double click and wheel zoom; 0 and Reset show everything again", files.full, async (page) => {
     const figure = page.locator("#file-1 .map .plane").first();
     const canvas = figure.locator("canvas");
     const home = await windowOf(canvas);
@@ -42,23 +37,18 @@ test("buttons, keys, double click and wheel zoom; 0 and Reset show everything ag
     await page.mouse.wheel(0, -400);
     await settled(page);
     assert.ok(span(await windowOf(canvas)) < 0.7 * span(home));
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("the wheel scrolls the page where the picture does not have the focus", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("the wheel scrolls the page where the picture does not have the focus", files.full, async (page) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     const home = await windowOf(canvas);
     await canvas.hover({ position: { x: 300, y: 200 } });
     await page.mouse.wheel(0, 300);
     await page.waitForFunction(() => scrollY > 0);
     assert.deepEqual(await windowOf(canvas), home);
-    await page.close();
 });
 
-test("dragging moves the picture with the pointer", async () => {
-    const page = await open(browser, report(place("full.html"), files.full));
+onPage("dragging moves the picture with the pointer", files.full, async (page) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     await canvas.scrollIntoViewIfNeeded();
     const box = await canvas.boundingBox();
@@ -72,11 +62,9 @@ test("dragging moves the picture with the pointer", async () => {
     const after = await placeOf(canvas, 1, 1);
     assert.ok(Math.abs(span(await windowOf(canvas)) - span(home)) < 1e-9);
     assert.ok(Math.abs(after[0] - before[0] - 60) < 12 && Math.abs(after[1] - before[1] + 30) < 8, `${before} ${after}`);
-    await page.close();
 });
 
-test("every step of a staircase can be chosen, and its gap is seen in its true width", async () => {
-    const page = await open(browser, report(place("long.html"), long));
+onPage("every step of a staircase can be chosen, and its gap is seen in its true width", long, async (page) => {
     const choice = page.locator("#file-1 .map .controls select").first();
     const canvas = page.locator("#file-1 .map canvas").first();
     const gap = await colour(page, "--gap");
@@ -105,12 +93,9 @@ test("every step of a staircase can be chosen, and its gap is seen in its true w
     await choice.selectOption("");
     await settled(page);
     assert.ok(span(await windowOf(canvas)) > 5.9);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async () => {
-    const page = await open(browser, report(place("fine.html"), files.fine));
+onPage("a gap 40 orders of magnitude narrower than its ratio is shown, too", files.fine, async (page) => {
     await page.locator("#file-1 .map .controls select").first().selectOption("0");
     await settled(page);
     const canvas = page.locator("#file-1 .map canvas").first();
@@ -119,12 +104,9 @@ test("a gap 40 orders of magnitude narrower than its ratio is shown, too", async
     const picture = await pixels(canvas);
     const [x, y] = await placeOf(canvas, (await windowOf(canvas)).x0 + width / 2, 3.5);
     assert.equal(picture.at(x, y), await colour(page, "--gap"));
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("a typed ratio is gone to", async () => {
-    const page = await open(browser, report(place("stairs.html"), files.stairs));
+onPage("a typed ratio is gone to", files.stairs, async (page) => {
     await page.getByLabel("around q =", { exact: true }).fill("50");
     await page.getByRole("button", { name: "Go" }).click();
     await settled(page);
@@ -146,12 +128,9 @@ test("a typed ratio is gone to", async () => {
     assert.equal(await choice.inputValue(), "");
     assert.match(await go("1000"), /The file says nothing about q = 1000/);
     assert.match(await go("1/50"), /N\(q\) = 8/); // the masses swapped
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });
 
-test("the axes of a box of initial conditions can be turned, and cut", async () => {
-    const page = await open(browser, report(place("adiabatic.html"), files.adiabatic));
+onPage("the axes of a box of initial conditions can be turned, and cut", files.adiabatic, async (page) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     const before = await pixels(canvas);
     await page.getByLabel("Across").selectOption({ label: "v" });
@@ -163,6 +142,4 @@ test("the axes of a box of initial conditions can be turned, and cut", async () 
     await slider.press("End");
     await settled(page);
     assert.notDeepEqual((await pixels(canvas)).bytes, turned.bytes);
-    assert.deepEqual(page.complaints, []);
-    await page.close();
 });

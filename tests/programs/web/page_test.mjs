@@ -33,6 +33,12 @@ const quiet = (tab, file = page) => {
     assert.deepEqual(tab.complaints, []);
     assert.deepEqual(tab.requests.filter((url) => !url.startsWith("blob:")), [`file://${file}`]);
 };
+const onPage = (name, run, options) => test(name, async () => {
+    const tab = await open(browser, page, options);
+    await run(tab);
+    quiet(tab);
+    await tab.close();
+});
 async function claim(tab, bound, values) {
     await tab.getByLabel("this claim:").check();
     await tab.getByLabel("the greatest number of collisions is").selectOption(bound);
@@ -42,8 +48,7 @@ async function claim(tab, bound, values) {
     await tab.getByRole("button", { name: "Verify" }).click();
 }
 
-test("files of every kind say what they prove, with the program's verdict", async () => {
-    const tab = await open(browser, page);
+onPage("files of every kind say what they prove, with the program's verdict", async (tab) => {
     const done = await answers(tab, ["q-10.dbc", "stairs-1-1e4.dbc.gz", "coin.dbc", "full-1000.dbc.gz"].map(shipped));
     const texts = await done.allTextContents();
     assert.match(texts[0], /^Verified here, in your browser, in [\w\s.]+sProved: at mass ratio 10 no trajectory hits the floor more than 4 times, and some trajectory hits it 4 times/);
@@ -52,12 +57,9 @@ test("files of every kind say what they prove, with the program's verdict", asyn
     assert.match(texts[1], /known in \d+ of 177 pieces/);
     assert.match(texts[2], /motion of the body/);
     assert.ok(texts.every((text) => text.startsWith("Verified here")), texts.join());
-    quiet(tab);
-    await tab.close();
 });
 
-test("a claim is stated in the form, and a file that proves less is rejected", async () => {
-    const tab = await open(browser, page);
+onPage("a claim is stated in the form, and a file that proves less is rejected", async (tab) => {
     await answers(tab, [shipped("stairs-1-100.dbc")]);
     for (const [bound, values, verdict] of [
         ["at most", { ratio: "5:30", count: "6" }, "Verified here"],
@@ -85,12 +87,9 @@ test("a claim is stated in the form, and a file that proves less is rejected", a
         await claim(tab, "exactly", { inertia, rho: "1", count: "4" });
         assert.ok((await (await ended(tab, 1)).allTextContents())[0].startsWith(verdict), inertia);
     }
-    quiet(tab);
-    await tab.close();
 });
 
-test("a file is dropped anywhere on the page", async () => {
-    const tab = await open(browser, page);
+onPage("a file is dropped anywhere on the page", async (tab) => {
     const data = await tab.evaluateHandle((text) => {
         const dropped = new DataTransfer();
         dropped.items.add(new File([text], "dropped.dbc"));
@@ -99,11 +98,9 @@ test("a file is dropped anywhere on the page", async () => {
     await tab.dispatchEvent("body", "drop", { dataTransfer: data });
     const [text] = await (await ended(tab, 1)).allTextContents();
     assert.match(text, /^Verified here.* more than 10 times/);
-    quiet(tab);
-    await tab.close();
 });
 
-test("hostile files get an answer or a limit, and the page stays alive", async () => {
+onPage("hostile files get an answer or a limit, and the page stays alive", async (tab) => {
     const text = readFileSync(shipped("stairs-1-100.dbc"));
     const files = [
         lie("less-deep-10.dbc"),
@@ -115,24 +112,18 @@ test("hostile files get an answer or a limit, and the page stays alive", async (
         given("line.dbc", Buffer.alloc(5_000_000, "9")),
         given("<img src=x onerror=alert(1)>.dbc", text),
     ];
-    const tab = await open(browser, page);
     const texts = await (await answers(tab, files)).allTextContents();
     assert.deepEqual(texts.map((said) => said.match(/^[A-Z][a-z]+/)[0]), ["Rejected", "Rejected", "Rejected", "Rejected", "Rejected", "Rejected", "Rejected", "Verified"]);
     assert.equal(await tab.locator("img").count(), 0);
-    quiet(tab);
-    await tab.close();
 });
 
-test("a long verification tells how far it is, leaves the page alive, and can be stopped", async () => {
-    const tab = await open(browser, page);
+onPage("a long verification tells how far it is, leaves the page alive, and can be stopped", async (tab) => {
     await tab.locator("#files").setInputFiles([shipped("law.dbc.gz"), shipped("q-10.dbc")]);
     await tab.waitForFunction(() => /Verifying: /.test(document.querySelector(".state").textContent));
     await tab.locator("article").first().getByRole("button", { name: "Stop" }).click();
     const texts = await (await ended(tab, 2)).allTextContents();
     assert.equal(texts[0], "Stopped");
     assert.match(texts[1], /^Verified here/); // in another worker
-    quiet(tab);
-    await tab.close();
 });
 
 test("the policy forbids every request, also one that the page would make", async () => {
@@ -148,8 +139,7 @@ test("the policy forbids every request, also one that the page would make", asyn
 });
 
 for (const width of [390, 1280]) {
-    test(`${width} px, light and dark: axe finds nothing, nothing is too wide, keys suffice`, async () => {
-        const tab = await open(browser, page, { viewport: { width, height: 844 } });
+    onPage(`${width} px, light and dark: axe finds nothing, nothing is too wide, keys suffice`, async (tab) => {
         await answers(tab, [shipped("q-10.dbc"), lie("less-deep-10.dbc")]);
         await tab.getByLabel("this claim:").focus();
         await tab.keyboard.press("Space");
@@ -163,9 +153,7 @@ for (const width of [390, 1280]) {
             assert.deepEqual(found, [], colorScheme);
             assert.ok((await tab.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0, colorScheme);
         }
-        quiet(tab);
-        await tab.close();
-    });
+    }, { viewport: { width, height: 844 } });
 }
 
 test("the pages are as large as docs/4-verifying.md says: at most 525 kB with gzip, and 700 kB in a page", () => {

@@ -11,10 +11,10 @@ namespace {
 
 Report report_of(Claim claim) {
     Proof proof;
-    proof.of.claim = claim;
-    proof.of.delta = {Rational(1, 1000), Rational(1, 100)};
-    proof.of.heights = {Rational(0), Rational(9, 10)};
-    proof.of.margin = Rational(3, 10);
+    proof.hypotheses.claim = claim;
+    proof.hypotheses.delta = {Rational(1, 1000), Rational(1, 100)};
+    proof.hypotheses.heights = {Rational(0), Rational(9, 10)};
+    proof.hypotheses.margin = Rational(3, 10);
     proof.leaves = 7;
     proof.attained = {{Rational(1, 2), Rational(1), Rational(1, 100), 63, Rational(15)}};
     proof.bounds = {Rational(167, 10)};
@@ -63,16 +63,16 @@ TEST_CASE("The units are those of each statement") {
                                                       Contains("<= 12 * 2 delta^(3/2)\n") &&
                                                       Contains("0.3 delta^(1/2)"));
     Report all = report_of(Claim::bounce);
-    all.results[0].proof.of.exponent = 0;
+    all.results[0].proof.hypotheses.exponent = 0;
     CHECK_THAT(to_text(all),
                Contains("<= 16.7 delta^2\n") && Contains("<= 12 * 2 delta^2\n") && Contains(">= 0.3 from"));
-    all.results[0].proof.of.exponent = 16;
+    all.results[0].proof.hypotheses.exponent = 16;
     CHECK_THAT(to_text(all), Contains("<= 16.7\n") && Contains("<= 12 * 2 delta\n"));
     CHECK(parsed(to_json(all)).at("results").at(0).at("errors").at(0).at("unit") == "1");
     all.results.push_back(all.results[0]);
     CHECK_THAT(to_text(all), !Contains("16.7 1"));
     Report from_zero = report_of(Claim::run);
-    from_zero.results[0].proof.of.delta.first = 0;
+    from_zero.results[0].proof.hypotheses.delta.first = 0;
     CHECK_THAT(to_text(from_zero), Contains("For every delta in (0, 0.01], "));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("What was not certified is said to be so") {
 TEST_CASE("Several distances make a table") {
     Report report = report_of(Claim::run);
     report.results.push_back(report.results[0]);
-    report.results[1].proof.of.margin = Rational(1, 2);
+    report.results[1].proof.hypotheses.margin = Rational(1, 2);
     CHECK_THAT(to_text(report), Contains("distance") &&
                                     Contains("     0.3  |I_n - I_0|  16.7 delta  15 delta   1.12") &&
                                     Contains("     0.5  |I_n - I_0|"));

@@ -61,6 +61,8 @@ TEST_CASE("The claims differ in their lines") {
                Contains("claim adiabatic-scattering\ndelta 1/100 1/100\nmargin 3/10\nbits"));
     certificate.hypotheses.claim = Claim::bounce;
     certificate.bounds = {Rational(2), Rational(12)};
+    CHECK_THROWS_AS(render(certificate), BrokenInvariant);  // an orbit is missing
+    certificate.attained.push_back(certificate.attained[0]);
     CHECK_THAT(render(certificate).text,
                Contains("margin 3/10\nexponent 8\nbits 53\nbound 2/1 12/1\nsplit v\noutside\nbound\n"));
 }

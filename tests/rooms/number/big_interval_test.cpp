@@ -24,17 +24,6 @@ bool is(const BigInterval& x, double lo, double hi) {  // arf_cmp_d says nothing
 bool is_nan(const BigInterval& x) { return arf_is_nan(x.lower()) != 0 && arf_is_nan(x.upper()) != 0; }
 bool is_thin(const BigInterval& x) { return arf_equal(x.lower(), x.upper()) != 0; }
 
-bool says_something(const BigInterval& x) {
-    for (const double bound : {-1e300, -1.0, 0.0, 1.0, 1e300}) {
-        const BigInterval point(bound);
-        if (certainly_less(x, point) || certainly_less(point, x) || certainly_at_most(x, point) ||
-            certainly_at_most(point, x)) {
-            return true;
-        }
-    }
-    return certainly_positive(x) || certainly_positive(-x);
-}
-
 }  // namespace
 
 TEST_CASE("The arcsine of a BigInterval is that of its part in [-1, 1]") {

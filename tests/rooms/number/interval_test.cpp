@@ -15,18 +15,6 @@ namespace {
 bool is_nan(const Interval& x) { return std::isnan(x.lo()) && std::isnan(x.hi()); }
 bool contains_zero(const Interval& x) { return x.lo() <= 0 && x.hi() >= 0; }
 
-/// Whether anything at all is certain about x.
-bool says_something(const Interval& x) {
-    for (const double bound : {-infinity, -1e300, -1.0, 0.0, 1.0, 1e300, infinity}) {
-        const Interval point(bound);
-        if (certainly_less(x, point) || certainly_less(point, x) || certainly_at_most(x, point) ||
-            certainly_at_most(point, x)) {
-            return true;
-        }
-    }
-    return certainly_positive(x) || certainly_positive(-x);
-}
-
 }  // namespace
 
 TEST_CASE("A difference of equal intervals contains 0, a square is no product of independent factors") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +18,17 @@ inline constexpr double least = std::numeric_limits<double>::denorm_min();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 inline bool is(const dumbbell::Interval& x, double lo, double hi) { return x.lo() == lo && x.hi() == hi; }
+
+/// Whether anything at all is certain about x.
+template <class I>
+bool says_something(const I& x) {
+    return certainly_positive(x) || certainly_positive(-x) ||
+           std::ranges::any_of(std::array{-infinity, -1e300, -1.0, 0.0, 1.0, 1e300, infinity}, [&](double y) {
+               const I point(y);
+               return certainly_less(x, point) || certainly_less(point, x) || certainly_at_most(x, point) ||
+                      certainly_at_most(point, x);
+           });
+}
 
 /// Deterministic random numbers, the same on every platform (the standard's distributions are not).
 class Random {

@@ -15,7 +15,7 @@ namespace {
 
 std::optional<Rational> corner_time(const Box& box) {
     const auto event = exact_event(box);
-    return event && event->kind != ExactKind::graze ? event->time : std::nullopt;
+    return event && event->kind != Obstacle::graze ? event->time : std::nullopt;
 }
 
 // Whether a mass is at the floor or below it before the time at which both are.
@@ -59,7 +59,7 @@ TEST_CASE("a box falls flat if all of it is level and does not turn, whatever it
     box.hi[2] = 4;
     box.hi[4] = 20;
     REQUIRE(exact_event(box));
-    CHECK(exact_event(box)->kind == ExactKind::flat);
+    CHECK(exact_event(box)->kind == Obstacle::flat);
     CHECK_FALSE(exact_event(box)->time);
     box.hi[3] = 0;
     CHECK_FALSE(exact_event(box));
@@ -72,7 +72,7 @@ TEST_CASE("multiples of pi are level exactly, their bounds are not") {
     Box box = point(3, 0, 3, -1, 10);
     std::tie(box.lo[0], box.hi[0]) = bounds({0, 1}, 128);
     CHECK_FALSE(exact_event(box));
-    CHECK(exact_event(box, Angle{0, 1})->kind == ExactKind::flat);
+    CHECK(exact_event(box, Angle{0, 1})->kind == Obstacle::flat);
     CHECK(exact_event(box, Angle{0, 1})->time == Rational(3));
     CHECK_FALSE(exact_event(box, Angle{0, Rational(1, 2)}));
     box.lo[1] = box.hi[1] = Rational(1, 7);
@@ -82,7 +82,7 @@ TEST_CASE("multiples of pi are level exactly, their bounds are not") {
 TEST_CASE("a centre of mass that stays at the light mass's lever grazes, and only there") {
     for (const int q : {1, 10}) {
         const Rational beta2(q, 1 + q);
-        CHECK(exact_event(point(0, 1, beta2, 0, q))->kind == ExactKind::graze);
+        CHECK(exact_event(point(0, 1, beta2, 0, q))->kind == Obstacle::graze);
         CHECK_FALSE(exact_event(point(0, 1, beta2, Rational(-1, 100), q)));
         CHECK_FALSE(exact_event(point(0, 1, beta2 + Rational(1, 100), 0, q)));
         CHECK_FALSE(exact_event(point(0, 1, beta2, 0, q + 1)));
