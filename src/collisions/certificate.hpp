@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "file/lines.hpp"
@@ -32,9 +33,12 @@ enum class Section { turning, full, plain, body, hybrid, wedge };
 
 /// What moves, and what of its states is covered.
 struct System {
-    Section section = Section::turning;
-    std::optional<Range> rho = {};  ///< of bodies, and of nothing else
+    Section section;
+    std::optional<Range> rho;  ///< of bodies, and of nothing else
 
+    // NOLINTNEXTLINE(google-explicit-constructor): a section is all that most need
+    System(Section covered = Section::turning, std::optional<Range> rhos = std::nullopt)
+        : section(covered), rho(std::move(rhos)) {}
     friend bool operator==(const System&, const System&) = default;
 };
 

@@ -14,7 +14,7 @@ namespace dumbbell::collisions {
 struct CertifyRequest {
     Claim claim;  ///< of ratios from 1 on
     int jobs = 1;
-    std::optional<std::chrono::duration<double>> budget;
+    std::optional<std::chrono::duration<double>> budget = {};
     bool describes = true;              ///< as in PieceOptions
     const PieceStore* store = nullptr;  ///< ranges: where finished pieces are kept, and found again
     /// Told of the boxes that are judged for a single ratio; for a range of the critical ratios that are
