@@ -9,6 +9,7 @@
 #include "certificates.hpp"
 #include "collisions/names.hpp"
 #include "collisions/reader.hpp"
+#include "collisions/section.hpp"
 #include "collisions/writer.hpp"
 #include "leaf_truth.hpp"
 #include "scratch.hpp"
@@ -232,17 +233,14 @@ void change_ratios(Certificate& claim, std::size_t i, Choices& choices) {
 }
 
 void change_kind(Certificate& claim, Choices& choices) {
-    if (claim.scene == Scene::dumbbell) {
-        if (claim.section != Section::turning)
-            claim.section = choices.coin() ? Section::full : Section::plain;
-        constexpr Chart full[] = {Chart::contact, Chart::departure},
-                        plain[] = {Chart::plain_contact, Chart::plain_departure};
+    Section& section = claim.system.section;
+    if (section == Section::wedge || section == Section::hybrid) {
+        section = choices.coin() ? Section::hybrid : Section::wedge;
+    } else if (section != Section::turning) {
+        section = choices.coin() ? Section::full : Section::plain;
         for (Piece& piece : claim.pieces)
             for (std::size_t i = 0; i < 2 && i < piece.cover.charts.size(); ++i)
-                if (claim.section != Section::turning)
-                    piece.cover.charts[i].chart = (claim.section == Section::full ? full : plain)[i];
-    } else {
-        claim.scene = choices.coin() ? Scene::hybrid : Scene::wedge;
+                piece.cover.charts[i].chart = row_of(section).charts[i];
     }
 }
 
@@ -382,11 +380,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Certificate claim = any_true_claim(choices);
     for (int wrongs = 0; wrongs < 12 && !choices.none_left(); ++wrongs) do_wrong(claim, choices);
     // Beyond, a leaf is too much work; in the full section it grows with the ratio, not with its root.
-    if (claim.q_hi() > (claim.section == Section::turning ? 20'000 : 500)) return 0;
+    const bool is_full = row_of(claim.system.section).shows_heavy_once;
+    if (claim.q_hi() > (is_full ? 500 : 20'000)) return 0;
 
     dumbbell_verify::Request settings;
     settings.max_bits = 128;
-    settings.scene = name(claim.scene);
+    settings.scene = row_of(claim.system.section).scene;
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
     try {
         (void)dumbbell_verify::verify(file.holding(render(claim).text), settings);

@@ -7,6 +7,7 @@
 
 #include "attacks/oracle/chart.hpp"
 #include "attacks/oracle/simulate.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/names.hpp"
 #include "target.hpp"
 
@@ -115,13 +116,13 @@ void must_hold(Chart chart, const dumbbell::collisions::Leaf& leaf, const ChartS
     // The other reasons say that there is no such state.
     bool holds = false;
     if (leaf.reason == Reason::count)
-        holds = counts_both_ways(chart) ? seen->collisions <= 1 + leaf.forward + leaf.backward
-                                        : seen->collisions <= leaf.forward;
+        holds = row_of(chart).counts_both_ways ? seen->collisions <= 1 + leaf.forward + leaf.backward
+                                               : seen->collisions <= leaf.forward;
     if (leaf.reason == Reason::once) holds = !seen->heavy_again;
     if (holds) return;
     std::ostringstream text;
     text.precision(21);
-    text << "an accepted leaf is wrong: chart " << name(chart) << ", leaf " << name(leaf.reason) << ' '
+    text << "an accepted leaf is wrong: chart " << row_of(chart).name << ", leaf " << name(leaf.reason) << ' '
          << leaf.forward << ' ' << leaf.backward << ", state " << state.position << ' ' << state.slope
          << ", ratio " << state.ratio << ": simulated " << seen->collisions
          << (seen->heavy_again ? ", the heavy mass again" : "");
@@ -131,7 +132,7 @@ void must_hold(Chart chart, const dumbbell::collisions::Leaf& leaf, const ChartS
 void must_hold(const dumbbell::collisions::Witness& witness, Real ratio) {
     const ChartState state{witness.e.convert_to<Real>(), witness.eta.convert_to<Real>(), ratio};
     long seen = 0;
-    if (witness.chart == Chart::wedge) {
+    if (witness.place == dumbbell::collisions::Place::wedge) {
         seen = most_in_wedge(state);
     } else {
         must(state.position > 0 && state.position <= pi / 2 && state.slope > 0, "a witness is in its chart");

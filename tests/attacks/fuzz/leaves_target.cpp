@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certificates.hpp"
+#include "collisions/chart.hpp"
 #include "collisions/names.hpp"
 #include "leaf_truth.hpp"
 #include "target.hpp"
@@ -124,7 +125,7 @@ constexpr std::array reasons{Reason::count, Reason::count,          Reason::coun
 void try_leaf(const Place& place, const dumbbell_verify::Leaf& leaf, Choices& choices) {
     dumbbell::collisions::Leaf said{.reason = reasons[choices.below(std::size(reasons))]};
     if (said.reason == Reason::count) {
-        const bool both_ways = counts_both_ways(place.chart);
+        const bool both_ways = row_of(place.chart).counts_both_ways;
         const long total = std::max(0L, about_as_many(place, leaf.box, choices) - (both_ways ? 1 : 0));
         said.forward = both_ways ? choices.between(0, total) : total;
         said.backward = dumbbell::Count(total) - said.forward;
@@ -141,7 +142,8 @@ void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choice
     for (std::size_t i = 0; i < 2; ++i) leaf.box.hi.at(i) = leaf.box.lo.at(i);
     dumbbell::collisions::Witness said{dumbbell::Rational(leaf.box.lo[0].get_mpq_t()),
                                        dumbbell::Rational(leaf.box.lo[1].get_mpq_t())};
-    said.chart = place.chart;
+    using SaidPlace = dumbbell::collisions::Place;
+    said.place = place.chart == Chart::wedge ? SaidPlace::wedge : SaidPlace::bridge;
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);
     said.backward = dumbbell::Count(total - 1) - said.forward;
