@@ -78,7 +78,7 @@ TEST_CASE("what is wrong is said in plain words, and in the order given") {
     CHECK_THAT(refused({}), Contains("dumbbell needs a command: ") && Contains("certify"));
     CHECK_THAT(refused({"plot", "pie", "x"}),
                Contains("plot has no command 'pie'; see dumbbell plot --help"));
-    CHECK_THAT(refused({"plot"}), Contains("plot needs a command: staircase, cover"));
+    CHECK_THAT(refused({"plot"}), Contains("plot needs a command: staircase, orbit"));
     for (const Words& words : {Words{"plot", "pie", "--help"}, Words{"help", "plot", "pie"}}) {
         CHECK_THAT(refused(words), Contains("plot has no command 'pie'; see dumbbell plot --help"));
     }
