@@ -11,6 +11,7 @@
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
+
 std::string picture(const Proof& proof) {
     return guarded([&] {
         const collisions::Certificate certificate =

@@ -178,7 +178,9 @@ Audit audit_file(const std::string& path, Observer& observer) {
     need_exact_geometry();
     const Certificate certificate = collisions::read_certificate(path);
     const collisions::ClaimedHead head = collisions::read_head(path);
-    static_cast<void>(sealed_digest(path));  // throws if it is damaged
+    if (certificate.sha256.empty()) {
+        is_damaged(path);
+    }
     observer.enter("auditing", "leaves");
     return audit(certificate, {head.range.lo, head.range.hi}, observer);
 }

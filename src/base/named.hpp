@@ -18,19 +18,4 @@ template <class Value>
     return std::nullopt;
 }
 
-/// Whether `words` is all names: `a|b|c`.
-template <class Value>
-[[nodiscard]] constexpr bool are_names_of(std::string_view words) {
-    for (int i = 0;; ++i) {
-        const std::size_t end = words.find('|');
-        if (words.substr(0, end) != name(static_cast<Value>(i))) {
-            return false;
-        }
-        if (end == std::string_view::npos) {
-            return name(static_cast<Value>(i + 1)).empty();
-        }
-        words.remove_prefix(end + 1);
-    }
-}
-
 }  // namespace dumbbell

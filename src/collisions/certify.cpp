@@ -132,22 +132,22 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, PieceOptions
 
 std::vector<ProvedPiece> certify(const CertifyRequest& request) {
     require_sound_arithmetic();
-    const auto& [range, system, gap, rod] = request.claim;
+    const Range& range = request.claim.range;
     if (out_of_reach(request.claim)) {
         return {open_piece(range.lo, range.hi)};
     }
-    PieceOptions options = piece_options(system);
-    options.describes = request.describes && row_of(system.section).has_orbits;
+    PieceOptions options = piece_options(request.claim.system);
+    options.describes = request.describes && row_of(options.system.section).has_orbits;
     options.interrupted = deadline(request.budget);
-    return with_threads(request.jobs, [&, &ratio = range.lo] {
-        if (!request.claim.range.is_single()) {
+    return with_threads(request.jobs, [&] {
+        if (!range.is_single()) {
             return prove_range(request, options);
         }
         options.parallel = true;
         options.observer = request.observer;
         std::vector<ProvedPiece> alone;  // moved to: its trees can be large
-        alone.push_back(options.interrupted() ? open_piece(ratio, ratio)
-                                              : timed([&] { return prove_single(ratio, options); }));
+        alone.push_back(options.interrupted() ? open_piece(range.lo, range.lo)
+                                              : timed([&] { return prove_single(range.lo, options); }));
         return alone;
     });
 }

@@ -37,6 +37,8 @@ struct BoundSearch {
 };
 
 struct SectionRow {
+    static constexpr int few_bits = 32;
+
     std::string_view scene, section;           ///< as users say it
     std::string_view lemmas, section_in_file;  ///< the words after `lemmas` and `section`
     std::string_view kind_in_totals = {};      ///< of leaves or covers that no other section has; or nothing
@@ -51,9 +53,9 @@ struct SectionRow {
     bool shows_heavy_once =
         false;  ///< its cover proves that the heavy mass hits the floor at most once (L19)
     /// The bits that the verifier needs beyond those that sufficed here; 0: twice as many are needed.
-    int bits_to_verify = 32;
+    int bits_to_verify = few_bits;
     /// The limits of a piece: its precision, and the nodes of a tree.
-    int max_bits = most_file_bits - 32;
+    int max_bits = most_file_bits - few_bits;
     std::size_t max_nodes = 20'000;
     std::span<const Chart> charts;  ///< in the order of the file
     long exact_step = 1;            ///< a ratio at which the maximum is known to step

@@ -51,4 +51,7 @@ class SealedLines {
 /// whoever forges a file can compute one.)
 [[nodiscard]] std::string sealed_digest(const NamedFile& file);
 
+/// Throws InputError: the last line of the file is not the checksum of the others.
+[[noreturn]] void is_damaged(const std::string& path);
+
 }  // namespace dumbbell

@@ -6,7 +6,6 @@
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
-
 namespace {
 
 collisions::Claim rod_of(const Given& given) {
@@ -22,9 +21,7 @@ collisions::Claim rod_of(const Given& given) {
 
 collisions::Claim given_numbers(const Given& given) {
     if (!given.has("--rho") || !given.has("--inertia")) {
-        throw InputError(given.has("--list")
-                             ? "--list is for mass ratios, not for a body"
-                             : "--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
+        throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
     }
     return collisions::claim_of_body(given.text("--rho"), given.text("--inertia"));
 }

@@ -231,7 +231,10 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
 
 int run_certify(const Given& given) {
     const bool body = is_about_body(given);
-    if (given.has("--list") && !body) {
+    if (given.has("--list")) {
+        if (body) {
+            throw InputError("--list is for mass ratios, not for a body");
+        }
         // What is wrong with an option is no line's fault.
         const CertifyRequest request = certify_request(given, RatioArgument{1, 1});
         return answer_list(

@@ -12,7 +12,6 @@
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {
-
 namespace {
 
 using collisions::Certificate;
