@@ -1,6 +1,6 @@
 #include "verify/adiabatic/claim.hpp"
 
-#include "verify/starts/claim.hpp"
+#include "verify/machine/decimals.hpp"
 
 namespace dumbbell_verify::adiabatic {
 namespace {
@@ -18,7 +18,7 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 /// About a number of a file, which may have many digits.
 std::string about(const mpq_class& x) {
     const std::string exact = to_string(x);
-    return exact.size() <= 20 ? exact : "about " + starts::decimals(x, false, 9);
+    return exact.size() <= 20 ? exact : "about " + decimals(x, false, 9);
 }
 std::string range(const mpq_class& lo, const mpq_class& hi) {
     return lo == hi ? "= " + about(lo) : "in [" + about(lo) + ", " + about(hi) + "]";
@@ -57,20 +57,14 @@ std::string state_json(const Claim::Attained& state, const std::string& ratio) {
 
 }  // namespace
 
-std::optional<Claim::Kind> kind_named(std::string_view name) {
-    for (const auto kind : {Claim::bounce, Claim::run, Claim::scattering})
-        if (Claim::names.at(kind) == name) return kind;
-    return std::nullopt;
-}
-
 std::vector<Claim::Summary> Claim::summaries() const {
     std::vector<Summary> all;
     for (std::size_t i = 0; i < attained.size(); ++i) {
         const mpq_class& value = attained[i].value;
         Summary summary;
-        summary.attained = starts::decimals(value, false);
-        summary.bound = starts::decimals(bounds.at(i), true);
-        if (value > 0) summary.ratio = starts::decimals(bounds[i] / value, true);
+        summary.attained = decimals(value, false);
+        summary.bound = decimals(bounds.at(i), true);
+        if (value > 0) summary.ratio = decimals(bounds[i] / value, true);
         all.push_back(summary);
     }
     return all;

@@ -4,18 +4,17 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/core/claim.hpp"
+#include "verify/kinds/other_claim.hpp"
 
 namespace dumbbell_verify::adiabatic {
 
 /// For every delta in [D1, D2], epsilon = delta^2, and the states that section 1 of format-adiabatic.md
 /// describes: the error or change is at most `bounds` in the unit of that section, and the states `attained`
 /// have at least their `value` in it.
-struct Claim {
+struct Claim : OtherClaim {
     enum Kind { bounce, run, scattering };
     static constexpr std::array<std::string_view, 3> names{"adiabatic-bounce", "adiabatic-run",
                                                            "adiabatic-scattering"};
-    static constexpr std::string_view leaves = "box.01, class0.01, attained1, ...";
     struct Attained {
         mpq_class u, s, delta;
         std::uint64_t collisions = 0;
@@ -28,7 +27,8 @@ struct Claim {
     std::vector<mpq_class> bounds;   ///< C, or C1 and C2
     std::vector<Attained> attained;  ///< one, or one for each of C1 and C2
 
-    [[nodiscard]] std::string_view kind_name() const { return names.at(kind); }
+    [[nodiscard]] std::string_view kind_name() const override { return names.at(kind); }
+    [[nodiscard]] std::string_view leaves() const override { return "box.01, class0.01, attained1, ..."; }
     [[nodiscard]] bool has_heights() const { return kind == bounce || kind == run; }
     [[nodiscard]] bool has_classes() const { return kind != bounce; }
 
@@ -38,13 +38,10 @@ struct Claim {
     };
     [[nodiscard]] std::vector<Summary> summaries() const;
     /// For the verdict: kind and numbers, exact but for those of the summaries.
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string text() const override;
     /// The claim in words, lines that begin with two spaces.
-    [[nodiscard]] std::string paragraph() const;
-    [[nodiscard]] std::string json() const;
+    [[nodiscard]] std::string paragraph() const override;
+    [[nodiscard]] std::string json() const override;
 };
-
-/// The kind with this name, if there is one.
-std::optional<Claim::Kind> kind_named(std::string_view name);
 
 }  // namespace dumbbell_verify::adiabatic

@@ -4,7 +4,7 @@
 
 namespace dumbbell_verify::adiabatic {
 
-std::string missing(const Claim& claim, const starts::Numbers& numbers) {
+std::string missing(const Claim& claim, const Numbers& numbers) {
     const auto asked = [&](std::string_view name, const mpq_class& lo, const mpq_class& hi) {
         const auto given = numbers.find(name);
         return given == numbers.end() ? Range(lo, hi) : given->second;

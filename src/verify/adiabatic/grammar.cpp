@@ -20,7 +20,7 @@ constexpr Axes class_axes{"u", "", "", "delta", "sigma"}, bounce_axes{"u", "s", 
 
 class ClaimReader : public Reader<Leaf> {
   public:
-    ClaimReader(Text& text, const Settings& settings, const starts::Numbers& numbers, Claim::Kind kind)
+    ClaimReader(Text& text, const Settings& settings, const Numbers& numbers, Claim::Kind kind)
         : Reader(text, settings), numbers_(numbers) {
         claim_.kind = kind;
         leaf_.terms = &terms_;
@@ -179,7 +179,7 @@ class ClaimReader : public Reader<Leaf> {
 
     static constexpr std::array<std::string_view, 5> names{"u", "s", "v", "delta", "sigma"};
 
-    const starts::Numbers& numbers_;
+    const Numbers& numbers_;
     Terms terms_;
     Claim& claim_ = terms_.claim;
     Leaf leaf_;  ///< the present one; its box is that of the present node
@@ -199,11 +199,24 @@ const char* check_leaf(const Leaf& leaf, Log* log) {
     }
 }
 
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const starts::Numbers& numbers,
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Numbers& numbers,
                               Claim::Kind kind) {
     ClaimReader reader(text, settings, numbers, kind);
     Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
+}
+
+template <Claim::Kind kind>
+Verified read_kind(Text& text, const Request& request) {
+    return about(proof(text, request, request.numbers, kind));
+}
+
+std::span<const ClaimKind> claim_kinds() {
+    static constexpr ClaimKind kinds[] = {
+        {.name = Claim::names[Claim::bounce], .proof = read_kind<Claim::bounce>},
+        {.name = Claim::names[Claim::run], .proof = read_kind<Claim::run>},
+        {.name = Claim::names[Claim::scattering], .proof = read_kind<Claim::scattering>}};
+    return kinds;
 }
 
 }  // namespace dumbbell_verify::adiabatic

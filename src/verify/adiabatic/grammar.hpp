@@ -1,6 +1,7 @@
 // Files of the claim kinds `adiabatic-*` (format-adiabatic.md).
 #pragma once
 #include <deque>
+#include <span>
 
 #include "verify/adiabatic/demand.hpp"
 #include "verify/adiabatic/potential.hpp"
@@ -51,7 +52,9 @@ const char* check_attained(const Leaf& leaf, Log* log);  ///< section 6
 
 /// Reads on after the line `claim`; returns only if all that the file and the demand say is certified, else
 /// throws the Failure of the least line.
-std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const starts::Numbers& numbers,
-                              Claim::Kind kind);
+std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Numbers& numbers, Claim::Kind kind);
+
+/// The kinds of these files, for the program.
+std::span<const ClaimKind> claim_kinds();
 
 }  // namespace dumbbell_verify::adiabatic

@@ -7,7 +7,7 @@ std::string Claim::text() const {
            " from=" + to_string(from.first, from.second) + " least=0.980 most=2.115";
 }
 
-std::string Claim::paragraph() {
+std::string Claim::paragraph() const {
     return "  N*(q) is the greatest number of collisions at the mass ratio q, q_c(N) the ratio beyond which "
            "it is\n"
            "  at least N. For every q >= q_c(9):\n"

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "verify/core/claim.hpp"
+#include "verify/kinds/other_claim.hpp"
 
 namespace dumbbell_verify::law {
 
@@ -14,15 +14,17 @@ constexpr unsigned law_step = 9;
 
 /// For every mass ratio q >= q_c(9): 2 + floor(C sqrt q - c0 q^(-1/4)) <= N*(q) <= 2 + floor(C sqrt q); for
 /// every q >= 1: 0.980 <= N*(q) - C sqrt q <= 2.115 (proofs/law.md).
-struct Claim {
-    static constexpr std::string_view leaves = "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
+struct Claim : OtherClaim {
     std::pair<mpq_class, mpq_class> from;  ///< q_c(9) lies between these
 
-    [[nodiscard]] static std::string_view kind_name() { return "law"; }
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string_view kind_name() const override { return "law"; }
+    [[nodiscard]] std::string_view leaves() const override {
+        return "9:light.01, 9:witness, layer.01, bulk1.1, end.1, ...";
+    }
+    [[nodiscard]] std::string text() const override;
     /// The claim in words, lines that begin with two spaces.
-    [[nodiscard]] static std::string paragraph();
-    [[nodiscard]] std::string json() const;
+    [[nodiscard]] std::string paragraph() const override;
+    [[nodiscard]] std::string json() const override;
 };
 
 }  // namespace dumbbell_verify::law

@@ -28,7 +28,7 @@ class ClaimReader : public Reader<Leaf> {
     [[nodiscard]] Claim& claim() { return claim_; }
 
   private:
-    [[nodiscard]] std::string_view kind() const override { return Claim::kind_name(); }
+    [[nodiscard]] std::string_view kind() const override { return claim_.kind_name(); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         if (leaf.rule == Leaf::step) return turning().check(leaf.at_step, log);
         if (leaf.rule == Leaf::bulk) return check_bulk(leaf, log);
@@ -176,6 +176,14 @@ std::pair<Proof, Claim> proof(Text& text, const Settings& settings) {
     ClaimReader reader(text, settings);
     Proof proof = reader.proof();
     return {std::move(proof), std::move(reader.claim())};
+}
+
+std::span<const ClaimKind> claim_kinds() {
+    static constexpr ClaimKind kinds[] = {
+        {.name = "law",
+         .proof = [](Text& text, const Request& request) { return about(proof(text, request)); },
+         .is_of_section = true}};
+    return kinds;
 }
 
 }  // namespace dumbbell_verify::law

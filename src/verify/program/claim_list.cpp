@@ -73,7 +73,7 @@ Job parse_row(const std::string& row, const std::filesystem::path& folder, Reque
     const auto decided = numbers.find("decided");
     const bool is_bound = demand.most || (demand.least && *demand.least > 0) ||
                           (decided != numbers.end() && decided->second.first > 0);
-    const bool is_whole = adiabatic::kind_named(settings.claim)
+    const bool is_whole = settings.claim.starts_with("adiabatic-")
                               ? numbers.contains("delta") && numbers.contains("constant")
                               : demand.ratios && is_bound;
     if (settings.claim != "law" && !is_whole)

@@ -10,6 +10,11 @@
 namespace dumbbell_verify {
 namespace {
 
+/// Of the format, whether this build has them or not.
+constexpr std::array<std::string_view, 7> kinds{
+    "collisions",    "initial-conditions",   "incoming", "adiabatic-bounce",
+    "adiabatic-run", "adiabatic-scattering", "law"};
+
 /// RATIO of the command line, exactly.
 mpq_class parse_ratio(const std::string& text) {
     const auto ratio = parse_rational(text);
@@ -123,8 +128,7 @@ void state_claim(const ClaimWords& words, Request& settings) {
     }
     if (const auto* claim = find(words, "--claim")) {
         settings.claim = *claim;
-        if (*claim != "collisions" && *claim != "initial-conditions" && *claim != "incoming" &&
-            *claim != "law" && !adiabatic::kind_named(*claim))
+        if (std::find(kinds.begin(), kinds.end(), *claim) == kinds.end())
             throw std::invalid_argument(
                 "--claim is collisions, initial-conditions, incoming, adiabatic-bounce, adiabatic-run, "
                 "adiabatic-scattering or law");

@@ -15,8 +15,7 @@ constexpr int exit_codes[] = {0, 2, 3, 3, 4, 1};
 
 /// What --explain can show of a file.
 std::string trees(const Verified& proof) {
-    if (const auto leaves = proof.of_other([](const auto& it) { return it.leaves; }))
-        return "the leaves of this file are " + *leaves;
+    if (proof.other) return "the leaves of this file are " + std::string(proof.other->leaves());
     std::string text =
         "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
     for (const Chart& chart : proof.section->charts) text += std::string(chart.name) + ", ";

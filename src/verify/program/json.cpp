@@ -66,7 +66,7 @@ std::string demand(const Request& settings, const Collisions& d) {
 
 std::string claim(const Result& result) {
     if (!result.is_right()) return "null";
-    if (const auto object = result.proof.of_other([](const auto& it) { return it.json(); })) return *object;
+    if (result.proof.other) return result.proof.other->json();
     const Collisions& c = result.proof.claim;
     const auto [from, to] = c.question();
     return object({{"scene", json_string(result.proof.section->scene)},

@@ -80,8 +80,8 @@ bool is_claim_option(std::string_view option) {
            });
 }
 
-starts::Numbers numbers_of(const ClaimWords& words) {
-    starts::Numbers numbers;
+Numbers numbers_of(const ClaimWords& words) {
+    Numbers numbers;
     for (const Row& row : table) {
         const auto word = words.find("--" + std::string(row.name));
         if (!is_number(row) || word == words.end()) continue;
@@ -114,7 +114,7 @@ void require_fitting_kind(const Request& request) {
     }
 }
 
-std::string numbers_text(const starts::Numbers& numbers) {
+std::string numbers_text(const Numbers& numbers) {
     std::string text;
     for (const Row& row : table) {
         const auto found = numbers.find(row.name);
@@ -127,8 +127,7 @@ std::string numbers_text(const starts::Numbers& numbers) {
 }
 
 std::string not_demanded(const Verified& proof, const Request& request, std::string_view between) {
-    const std::string kind =
-        proof.of_other([](const auto& it) { return it.kind_name(); }).value_or("collisions");
+    const std::string_view kind = proof.other ? proof.other->kind_name() : "collisions";
     std::string names;
     bool is_any = !request.claim.empty() || !request.scene.empty();
     for (const Row& row : table) {

@@ -15,13 +15,13 @@ bool is_claim_option(std::string_view option);
 
 /// The values of --phi, --phidot, --y, --ydot, --decided, --delta, --heights, --margin, --exponent,
 /// --constant and --attained. Throws std::invalid_argument.
-starts::Numbers numbers_of(const ClaimWords& words);
+Numbers numbers_of(const ClaimWords& words);
 
 /// Throws std::invalid_argument if an option does not fit the kind of claim that is demanded.
 void require_fitting_kind(const Request& request);
 
 /// ` demanded-phi=LO:HI`, and so on.
-std::string numbers_text(const starts::Numbers& numbers);
+std::string numbers_text(const Numbers& numbers);
 
 /// What could have been demanded of such a file and was not, with `between` between the names; empty where
 /// nothing at all was demanded.

@@ -1,6 +1,7 @@
 #include "verify/program/sentence.hpp"
 
 #include "verify/core/section.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/program/number_options.hpp"
 #include "verify/program/summary.hpp"
 
@@ -27,7 +28,7 @@ std::string spoken(const mpq_class& q) {
     mpz_class power = 1;
     unsigned places = 0;
     for (; power % q.get_den() != 0 && places < longest; ++places) power *= 10;
-    return power % q.get_den() != 0 ? to_string(q) : starts::decimals(q, false, places);
+    return power % q.get_den() != 0 ? to_string(q) : decimals(q, false, places);
 }
 
 /// How much is known, where the bounds together do not tell it.
@@ -82,8 +83,7 @@ std::string about_collisions(const Result& result) {
 std::string sentence(const Result& result) {
     const std::string names = not_demanded(result.proof, result.job->settings, ", "),
                       rest = names.empty() ? "" : "  Not demanded: " + names + ".\n";
-    if (const auto text = result.proof.of_other([](const auto& it) { return it.paragraph(); }))
-        return *text + rest;
+    if (result.proof.other) return result.proof.other->paragraph() + rest;
     return "  " + about_collisions(result) + ".\n" + rest;
 }
 

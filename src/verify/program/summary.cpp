@@ -24,7 +24,7 @@ std::string three_digits(mpq_class x) {
 }
 
 std::string claim_text(const Verified& proof) {
-    if (const auto text = proof.of_other([](const auto& it) { return it.text(); })) return *text;
+    if (proof.other) return proof.other->text();
     const Collisions& claim = proof.claim;
     const auto [from, to] = claim.question();
     return "scene=" + std::string(proof.section->scene) + " ratio=" + to_string(claim.lo, claim.hi) +

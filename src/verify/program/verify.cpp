@@ -1,18 +1,11 @@
 #include "verify/program/verify.hpp"
 
-#include "verify/adiabatic/grammar.hpp"
 #include "verify/core/certificate.hpp"
+#include "verify/core/section.hpp"
 #include "verify/input/bytes.hpp"
-#include "verify/law/grammar.hpp"
-#include "verify/starts/grammar.hpp"
 
 namespace dumbbell_verify {
 namespace {
-
-template <class Claim>
-Verified about(std::pair<Proof, Claim> found) {
-    return {std::move(found.first), std::move(found.second)};
-}
 
 /// The first lines. Of what is wrong with the very first it also says what that means: it is another file.
 Header header_of(Text& text) try { return read_header(text); } catch (Failure& failure) {
@@ -36,8 +29,9 @@ void name_both(Failure& failure, const Settings& settings, std::string_view scen
 /// What is left of the file, which has this header. A bound on N* is proved by numbers of collisions only.
 Verified read_on(Text& text, const Request& settings, const Header& header) {
     const std::string& claim = header.claim;
-    const bool incoming = claim == "incoming", is_initial = incoming || claim == "initial-conditions";
-    if (settings.shares && !is_initial)
+    const ClaimKind* kind = claim_kind(claim);
+    const bool is_of_starts = kind && kind->is_of_starts;
+    if (settings.shares && !is_of_starts)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--shares is about a box of initial conditions (dumbbell trace --subdivide), and this "
                       "file is about something else"};
@@ -50,19 +44,16 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
     if (settings.together)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
-    const auto invariant = adiabatic::kind_named(claim);
-    const bool is_law = header.section == &turning() && claim == "law";
-    if (!is_law && (header.section || !(invariant || is_initial))) text.unsupported("unknown claim " + claim);
+    if (!kind || header.section != (kind->is_of_section ? &turning() : nullptr))
+        text.unsupported("unknown claim " + claim + std::string(built_without()));
     const Collisions& demand = settings.demand;
     const bool bounds = demand.ratios || demand.most || demand.least;
     if (demand.gap || demand.gaps_at_most || demand.rhos || settings.heavy_once ||
-        (bounds && (settings.claim.empty() || !is_initial)))
+        (bounds && (settings.claim.empty() || !is_of_starts)))
         throw Failure{Verdict::unreadable, 0, "usage",
                       "what is demanded is about all trajectories, and this file's claim is " + claim +
-                          (is_initial ? ": to ask about what it claims add --claim " + claim : "")};
-    if (is_law) return about(law::proof(text, settings));
-    if (invariant) return about(adiabatic::proof(text, settings, settings.numbers, *invariant));
-    return about(starts::proof(text, settings, settings.numbers, incoming));
+                          (is_of_starts ? ": to ask about what it claims add --claim " + claim : "")};
+    return kind->proof(text, settings);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "verify/machine/decimals.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/starts/mean.hpp"
 
@@ -45,16 +46,6 @@ std::string mean_text(const Shares& shares, const Means& exact) {
 }  // namespace
 
 std::string header_name(std::size_t axis) { return axis == 4 ? "ratio" : std::string(axis_names[axis]); }
-
-std::string decimals(const mpq_class& x, bool upward, unsigned places) {
-    mpz_class scale, rest, digits;
-    mpz_ui_pow_ui(scale.get_mpz_t(), 10, places);
-    const mpz_class scaled = x.get_num() * scale;
-    (upward ? mpz_cdiv_q : mpz_fdiv_q)(digits.get_mpz_t(), scaled.get_mpz_t(), x.get_den_mpz_t());
-    std::string text = digits.get_str();
-    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-    return places == 0 ? text : text.insert(text.size() - places, ".");
-}
 
 std::string Claim::text() const {
     std::string result = "claim=" + std::string(kind_name());

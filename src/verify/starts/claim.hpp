@@ -3,13 +3,11 @@
 #include <array>
 #include <map>
 
-#include "verify/core/claim.hpp"
+#include "verify/kinds/other_claim.hpp"
 
 namespace dumbbell_verify::starts {
 
 inline constexpr unsigned share_places = 12;
-/// x >= 0 with this number of decimals, rounded up or down.
-std::string decimals(const mpq_class& x, bool upward, unsigned places = 6);
 
 /// phi, phidot, y, ydot and the mass ratio q, in this order.
 inline constexpr std::array<std::string_view, 5> axis_names{"phi", "phidot", "y", "ydot", "q"};
@@ -57,27 +55,29 @@ struct Known {
 };
 
 /// What is known of the file's box.
-struct Claim : Known {
-    static constexpr std::string_view leaves = "box, box.01, ...";  ///< as --explain names them
+struct Claim : Known, OtherClaim {
     bool incoming = false;  ///< not a box, but all incoming trajectories (format-initial.md, section 8)
     Box box;
     Box asked_box;                 ///< the one in question
     Known asked;                   ///< of that
     std::optional<Shares> shares;  ///< of `box`, if they were asked for
 
-    [[nodiscard]] std::string_view kind_name() const { return incoming ? "incoming" : "initial-conditions"; }
+    [[nodiscard]] std::string_view kind_name() const override {
+        return incoming ? "incoming" : "initial-conditions";
+    }
+    [[nodiscard]] std::string_view leaves() const override { return "box, box.01, ..."; }
     [[nodiscard]] bool asks_of_part() const { return asked_box != box; }
     /// No bound is demanded, none holds for all that is in question, and no part of that is decided.
-    [[nodiscard]] bool says_nothing(const Collisions& demand) const {
+    [[nodiscard]] bool says_nothing(const Collisions& demand) const override {
         return !demand.most && !demand.least && !asked.most && asked.least == 0 && asked.decided == 0;
     }
     /// For the verdict: the box, the range of collisions and the share, rounded down.
-    [[nodiscard]] std::string text() const;
-    [[nodiscard]] std::string json() const;
+    [[nodiscard]] std::string text() const override;
+    [[nodiscard]] std::string json() const override;
     /// What is proved of the box in question, in English, without its full stop.
     [[nodiscard]] std::string sentence() const;
     /// The sentence, and a line for each row of the shares, with twelve decimals rounded outward.
-    [[nodiscard]] std::string paragraph() const;
+    [[nodiscard]] std::string paragraph() const override;
 };
 
 }  // namespace dumbbell_verify::starts

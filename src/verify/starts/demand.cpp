@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "verify/machine/decimals.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/starts/mean.hpp"
 

@@ -1,13 +1,8 @@
 // What is demanded of files about starts, besides mass ratios and bounds.
 #pragma once
-#include <map>
-
 #include "verify/starts/claim.hpp"
 
 namespace dumbbell_verify::starts {
-
-/// The numbers of options, by their names without dashes: LO:HI, or A,B; one number stands there twice.
-using Numbers = std::map<std::string_view, Range>;
 
 /// The box in question: the file's, cut down to the sides that are demanded.
 Box demanded_box(Box box, const Numbers& numbers, const std::optional<Range>& ratios);

@@ -193,4 +193,16 @@ std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Number
     return {std::move(proof), std::move(reader.claim())};
 }
 
+template <bool incoming>
+Verified read_kind(Text& text, const Request& request) {
+    return about(proof(text, request, request.numbers, incoming));
+}
+
+std::span<const ClaimKind> claim_kinds() {
+    static constexpr ClaimKind kinds[] = {
+        {.name = "initial-conditions", .proof = read_kind<false>, .is_of_starts = true},
+        {.name = "incoming", .proof = read_kind<true>, .is_of_starts = true}};
+    return kinds;
+}
+
 }  // namespace dumbbell_verify::starts

@@ -1,5 +1,6 @@
 // Files of the claim kind `initial-conditions` (format-initial.md).
 #pragma once
+#include <span>
 #include <string>
 #include <utility>
 
@@ -40,5 +41,8 @@ Box incoming_states(const Box& piece);
 /// Reads on after the line `claim`, for all incoming trajectories or for a box; returns only if all that the
 /// file and the demand say is certified, else throws the Failure of the least line.
 std::pair<Proof, Claim> proof(Text& text, const Settings& settings, const Numbers& numbers, bool incoming);
+
+/// The kinds of these files, for the program.
+std::span<const ClaimKind> claim_kinds();
 
 }  // namespace dumbbell_verify::starts

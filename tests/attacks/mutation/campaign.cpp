@@ -86,7 +86,8 @@ Result verified(const Scratch& file, const Trial& trial) {
         if (right && outcome.accepted()) result.argument = "the base's own pieces prove it";
     } else if (outcome.accepted()) {
         result.fate = Fate::accepted;
-        if (const auto* claim = std::get_if<dumbbell_verify::adiabatic::Claim>(&outcome.proof->other)) {
+        if (const auto* claim =
+                dynamic_cast<const dumbbell_verify::adiabatic::Claim*>(outcome.proof->other.get())) {
             const Argument argument = adiabatic_argument(file.path(), claim);
             if (!argument.holds) result.fate = Fate::unexplained;
             result.argument = argument.text;

@@ -43,7 +43,8 @@ TEST_CASE("Every base is verified, and shown to be true if it is about the adiab
         const Outcome outcome = examine(file.path(), {});
         INFO(base.name << ": " << outcome.text);
         REQUIRE(outcome.accepted());
-        const auto* claim = std::get_if<dumbbell_verify::adiabatic::Claim>(&outcome.proof->other);
+        const auto* claim =
+            dynamic_cast<const dumbbell_verify::adiabatic::Claim*>(outcome.proof->other.get());
         if (!claim) continue;
         const Argument argument = adiabatic_argument(file.path(), claim);
         INFO(argument.text);

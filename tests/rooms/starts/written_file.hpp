@@ -23,7 +23,8 @@ inline dumbbell_verify::starts::Claim checked(const std::string& text) {
     const make::File file(text);
     dumbbell_verify::Request settings;
     settings.shares = true;
-    return std::get<dumbbell_verify::starts::Claim>(dumbbell_verify::verify(file.path(), settings).other);
+    return dynamic_cast<const dumbbell_verify::starts::Claim&>(
+        *dumbbell_verify::verify(file.path(), settings).other);
 }
 
 /// The leaves of a tree with their boxes.

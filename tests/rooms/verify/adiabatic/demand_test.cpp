@@ -4,7 +4,7 @@
 #include "catch.hpp"
 
 namespace adiabatic = dumbbell_verify::adiabatic;
-using dumbbell_verify::starts::Numbers;
+using dumbbell_verify::Numbers;
 
 TEST_CASE("adiabatic: each number that is demanded is compared with the file's") {
     adiabatic::Claim claim;

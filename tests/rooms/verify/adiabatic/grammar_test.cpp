@@ -121,8 +121,8 @@ TEST_CASE("adiabatic grammar: the least and the greatest numbers are allowed") {
     Request settings;
     settings.max_bits = 4096;
     const std::string precise = mutated(bounce(), "bits 53", "bits 4096");
-    CHECK(std::holds_alternative<dumbbell_verify::adiabatic::Claim>(
-        dumbbell_verify::verify(File(precise).path(), settings).other));
+    CHECK((dynamic_cast<const dumbbell_verify::adiabatic::Claim*>(
+               dumbbell_verify::verify(File(precise).path(), settings).other.get()) != nullptr));
     // One cell is enough, and the 4096th is still one; it is the tree that is missing.
     const auto with_cells = [](int number) {
         std::string text = run_file().substr(0, run_file().find("cell "));

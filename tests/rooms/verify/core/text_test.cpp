@@ -5,7 +5,7 @@
 #include "verify/program/json.hpp"
 
 using namespace dumbbell_verify;
-using dumbbell_verify::starts::decimals;
+using dumbbell_verify::decimals;
 using make::closed;
 using make::File;
 
