@@ -140,7 +140,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
     try {
         const auto proof = dumbbell_verify::verify(file.holding(render(claim).text), settings);
-        must((dynamic_cast<const dumbbell_verify::starts::Claim*>(proof.other.get()) != nullptr),
+        must(dynamic_cast<const dumbbell_verify::starts::Claim*>(proof.other.get()) != nullptr,
              "a claim about initial conditions");
     } catch (const dumbbell_verify::Failure& failure) {
         must(failure.verdict == dumbbell_verify::Verdict::rejected ||

@@ -1,11 +1,11 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
 #include "catch.hpp"
 #include "rooms/verify/adiabatic/make_file.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/program/arguments.hpp"
 #include "verify/program/json.hpp"
 
 using namespace dumbbell_verify;
-using dumbbell_verify::decimals;
 using make::closed;
 using make::File;
 
