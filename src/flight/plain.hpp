@@ -138,10 +138,9 @@ long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long ca
                             const Interrupted& interrupted = never);
 
 /// An upper bound of the number of collisions of rays that have no bridge before the next light wall. Stops
-/// at `cap` + 1, also if interrupted. Flattened, as the other one: intervals stay in registers.
+/// at `cap` + 1, also if interrupted.
 template <class I>
-[[gnu::flatten]] long plain_count(PlainRay<I> ray, const Body<I>& body, long cap,
-                                  const Interrupted& interrupted = never) {
+long plain_count(PlainRay<I> ray, const Body<I>& body, long cap, const Interrupted& interrupted = never) {
     for (long count = 0; count <= cap; ++count) {
         if (certainly_at_most(I(1), ray.kappa)) {
             return count;
@@ -226,8 +225,8 @@ long plain_count_after_bridge(const I& t, const I& kappa, const Body<I>& body, l
 /// An upper bound of the number of later collisions of the departures from R to the left. Stops at `cap` + 1,
 /// also if interrupted.
 template <class I>
-[[gnu::flatten]] long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long cap,
-                                             const Interrupted& interrupted) {
+long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long cap,
+                            const Interrupted& interrupted) {
     const RatioRange<I> heights{low_end(body.rho), high_end(body.rho)};
     long most = 0;
     for (long count = 0; count <= cap; ++count) {
@@ -258,7 +257,7 @@ template <class I>
     return cap + 1;
 }
 
-// Compiled once, in plain.cpp: all that is flattened into them takes long.
+// Compiled once, in plain.cpp.
 extern template long plain_count(PlainRay<Interval>, const Body<Interval>&, long, const Interrupted&);
 extern template long plain_count(PlainRay<BigInterval>, const Body<BigInterval>&, long, const Interrupted&);
 extern template long plain_later_collisions(PlainDeparture<Interval>, const Body<Interval>&, long,

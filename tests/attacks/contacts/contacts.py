@@ -3,7 +3,7 @@
 
     contacts.py BOUNDS COUNT [--second FOLDER]
 
-BOUNDS is the program `contact_bounds`; DUMBBELL_RAYS_SCALE=200 in the environment takes 200 times as many. A ray is (c, kappa, rho) in units of 2^-bits; its contact is the least root x of
+BOUNDS is the program `contact_bounds`; DUMBBELL_TEST_SCALE in the environment takes so many times as many. A ray is (c, kappa, rho) in units of 2^-bits; its contact is the least root x of
 f = rho sin x - kappa x - c, up to pi/2 with a light wall (rho = 1), up to pi with the bridge. f is concave: so the contact is
 not before x iff x <= 0, or x <= crest and f(x) <= 0, and not behind x iff x >= crest or f(x) >= 0."""
 
@@ -172,7 +172,7 @@ def main():
     options = options.parse_args()
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(options.second))
-    scale, chance = int(os.environ.get("DUMBBELL_RAYS_SCALE", 1)), random.Random(58)
+    scale, chance = int(os.environ.get("DUMBBELL_TEST_SCALE", 1)), random.Random(58)
     precisions = [96, *chance.choices(list(PRECISIONS), PRECISIONS.values(), k=options.count * scale // BATCH - 1)]
     batches = [(options.bounds, seed, bits, BATCH) for seed, bits in enumerate(precisions)]
     counts, false = Counter(), []

@@ -2,7 +2,7 @@
 
 usage: faults.py DUMBBELL DUMBBELL-VERIFY [FAULT]...
 
-FAULT is one of FAULTS below; all of them if there is none. DUMBBELL_FAULTS_SCALE in the environment: how many times as
+FAULT is one of FAULTS below; all of them if there is none. DUMBBELL_TEST_SCALE in the environment: how many times as
 many as in CI (10 in `./run trust`), 1 unless it is set. Exits 1 if a finished result was lost, a half-written file stood
 under its final name, or an exit code was wrong; 77 if nothing could be tried.
 """
@@ -22,7 +22,7 @@ from tally import table
 SEED = 20260101
 
 
-SCALE = int(os.environ.get("DUMBBELL_FAULTS_SCALE", "1"))
+SCALE = int(os.environ.get("DUMBBELL_TEST_SCALE", "1"))
 
 FAULTS = {
     "killed": lambda programs: [kills.ranges(programs, 20 * SCALE, SEED, signal.SIGKILL)],

@@ -4,7 +4,7 @@ have the same verdict on what both can judge, files with the sections turning an
 committed false claims, a sample of all mutants, and on certificates written now. Where the verifier says no, the proved checker must.
 What it decides without a certificate is what `dumbbell certify` finds.
 
-DUMBBELL_PROVE_SCALE (1) times as many fresh certificates, claims, and mutants (up to ten times), and the largest shipped certificate. Two things are
+DUMBBELL_TEST_SCALE (1) times as many fresh certificates, claims, and mutants (up to ten times), and the largest shipped certificate. Two things are
 done at a time, and the checker is given many files at once. It is built again in BUILD, of the present source; 77: `./run prove` has built none."""
 
 import gzip
@@ -29,7 +29,7 @@ if not os.path.exists(PROVE):
     sys.exit(77)
 subprocess.run([PROJECT / "proofs/coq/prove", BUILD, "--build"], check=True)
 del sys.argv[1:6]
-SCALE = int(os.environ.get("DUMBBELL_PROVE_SCALE", "1"))
+SCALE = int(os.environ.get("DUMBBELL_TEST_SCALE", "1"))
 BASES = ["equal", "single", "thousand", "single-split", "deep", "range", "range-from-1", "range-split", "range-deep", "open", "loose", "big",
          "big-range", "full", "full-equal", "full-range", "full-deep", "full-again"]
 JUDGED = [[b"lemmas " + lemmas, b"scene dumbbell", b"section " + section]

@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_option("--scale", request.options.scale,
                    "the factor by which there are more mutants, several changes at once among them")
-        ->envname("DUMBBELL_MUTATION_SCALE")
+        ->envname("DUMBBELL_TEST_SCALE")
         ->check(CLI::Range(1, 1000));
     app.add_option("--dump", request.dump, "write N mutants and manifest.tsv there")
         ->expected(2)

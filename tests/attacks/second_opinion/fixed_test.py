@@ -94,7 +94,7 @@ class Enclosures(unittest.TestCase):
     def test_random_angles(self):
         random_numbers = random.Random(1)
         for bits in self.each_precision():
-            for _ in range(60 if bits > 1000 else 400):
+            for _ in range((20 if bits > 1000 else 100) * second.SCALE):
                 a = Fraction(random_numbers.randrange(-4 * 10 ** 9, 4 * 10 ** 9), 10 ** random_numbers.randrange(8, 12))
                 b = a + Fraction(random_numbers.randrange(10 ** 6), 10 ** random_numbers.randrange(5, 12))
                 wide = sin_cos(hull(a, b))
@@ -108,7 +108,7 @@ class Enclosures(unittest.TestCase):
         """Every operation encloses the exact result of every pair of ends, with all signs, and rounds by 2 units at most."""
         random_numbers = random.Random(2)
         for bits in self.each_precision():
-            for _ in range(300):
+            for _ in range(100 * second.SCALE):
                 def sample():
                     return point(random_numbers.randrange(-3 << bits, 3 << bits) >> random_numbers.randrange(bits + 2))
                 a, b, c, d = sample(), sample(), sample(), sample()

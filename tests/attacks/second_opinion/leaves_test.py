@@ -69,7 +69,7 @@ class Leaves(unittest.TestCase):
 
     def test_initial_conditions(self):
         tightness, refused = [], 0
-        for _ in range(300):
+        for _ in range(100 * second.SCALE):
             q = self.random.choice((1.0, 4, 20, 300))
             box = self.box(q=(q, q * 1.1), phi=(-7, 7), phidot=(-2, 2), y=(1.1, 2), ydot=(-1, 0.7))
             found = list(self.states(box))
@@ -89,12 +89,12 @@ class Leaves(unittest.TestCase):
                 for wrong in ((mass, t1, 2 * t1 - t0), (mass, t0 / 2, t0), ("light" if mass == "heavy" else "heavy", t0, t1)):
                     self.assertFalse(certified(lambda: initial.leaf_holds(box, 1, 10 ** 9, wrong)), (box, wrong))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
-        self.assertGreater(refused, 100)
+        self.assertGreater(refused, 30 * second.SCALE)
 
     def test_incoming(self):
         """Pieces of the section of all incoming trajectories; from a greater height they come in with as many collisions."""
         tightness, refused = [], 0
-        for _ in range(300):
+        for _ in range(100 * second.SCALE):
             q = Fraction(self.random.choice((1.0, 4, 20, 300)))
             piece = self.box(phi=(0, 1.9), s=(0, 0.65))
             states = incoming.states(piece, q)
@@ -121,12 +121,12 @@ class Leaves(unittest.TestCase):
                     refused += 1
                     self.assertFalse(holds, (piece, counts, count))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
-        self.assertGreater(refused, 100)
+        self.assertGreater(refused, 30 * second.SCALE)
 
     def test_bodies(self):
         """Collision states of rods, without mass, too, and witnesses: their later collisions, and those before."""
         tightness, refused = [], 0
-        for _ in range(400):
+        for _ in range(200 * second.SCALE):
             q, rho = Fraction(self.random.choice((2, 3, 4, 9, 30))), Fraction(self.random.choice((1, 2, 3, 11)))
             massless = self.random.random() < 0.2
             rho = 1 / q if massless else min(Fraction(1), rho * Fraction(11, 10) / q)
@@ -168,7 +168,7 @@ class Leaves(unittest.TestCase):
             for wrong in ((forward + 1, backward), (forward, backward + 1)):
                 self.assertFalse(certified(lambda: section.from_bridge((e, eta, *wrong), q, q)), (q, rho, e, eta, wrong))
         self.assertGreater(sum(tightness) / len(tightness), 0.7)
-        self.assertGreater(refused, 100)
+        self.assertGreater(refused, 30 * second.SCALE)
 
     def test_a_slope_in_its_other_forms(self):
         """Of L4, over a box of a body in which the denominator may vanish: its one form alone is not enough."""
@@ -180,19 +180,19 @@ class Leaves(unittest.TestCase):
     def test_no_collision(self):
         certain = 0
         fixed.set_precision(96)
-        for _ in range(400):
+        for _ in range(80 * second.SCALE):
             q = self.random.choice((1.0, 4, 20))
             box = self.box(q=(q, q * 1.1), phi=(-7, 7), phidot=(-6, 6), y=(0.3, 1.3), ydot=(-0.5, 1.5))
             if initial.above_floor(box) and contact.has_no_collision(contact.Air(box)):
                 certain += 1
                 self.assertEqual({count for count, _ in self.states(box)} - {0}, set(), box)
-        self.assertGreater(certain, 40)
+        self.assertGreater(certain, 8 * second.SCALE)
 
     def test_only_the_first_contact(self):
         """Free flight crosses the floor curve of either mass, some of them twice: only the first crossing of all is one."""
         seen = 0
         fixed.set_precision(96)
-        for _ in range(40):
+        for _ in range(10 * second.SCALE):
             q = self.random.choice((1.0, 4, 20))
             state = {axis: self.random.uniform(*ends) for axis, ends in
                      (("phi", (-7, 7)), ("phidot", (-6, 6)), ("y", (1.05, 2)), ("ydot", (-1, -0.1)))}
@@ -212,11 +212,11 @@ class Leaves(unittest.TestCase):
                 if number == 0 and len(crossings) > 2:  # the light mass goes down, up and down again in between
                     last = Fraction(max(t for t, other in crossings if other == mass) + 0.003)
                     self.assertFalse(last > t1 and contact.is_first_contact(contact.Air(box), mass, t0, last), (state, t, mass))
-        self.assertGreater(seen, 30)
+        self.assertGreater(seen, 5 * second.SCALE)
 
     def test_wedge_in_its_angle(self):
         """atan(sqrt q kappa) grows by gamma with each collision: the number of collisions in closed form."""
-        for _ in range(400):
+        for _ in range(100 * second.SCALE):
             q = Fraction(self.random.uniform(1.01, 3000))
             kappa = Fraction(self.random.random())
             root = math.sqrt(q)

@@ -229,7 +229,7 @@ class Program(unittest.TestCase):
     def test_it_ends_without_memory(self):
         """Too little to start is no case of its own: Python itself may need more."""
         with tempfile.NamedTemporaryFile() as file:
-            file.write(gzip.compress(b"a" * (300 << 20)))
+            file.write(gzip.compress(b"a" * (120 << 20)))
             file.flush()
             least = lambda: resource.setrlimit(resource.RLIMIT_AS, (100 << 20, 100 << 20))
             self.assertEqual(run([file.name], preexec_fn=least), (4, "s LIMIT out of memory\n", ""))

@@ -1,12 +1,14 @@
 """Makes the second verifier's modules importable: `import second` goes before them. And what the tests ask of it."""
 
 import hashlib
+import os
 import random
 import sys
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[3]
 FOLDER = PROJECT / "src/second"
+SCALE = int(os.environ.get("DUMBBELL_TEST_SCALE", "1"))  # how much the tests try
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(FOLDER))

@@ -74,6 +74,13 @@ TEST_CASE("law believes no certificate that the verifier rejects, and answers by
     }
 }
 
+TEST_CASE("law --prove makes the certificate that is shipped again, byte for byte") {
+    const TemporaryFolder folder;
+    const std::string made = folder / "law.dbc.gz";
+    CHECK(dumbbell({"law", "--prove", "--quiet", "--out", made}).code == 0);
+    CHECK((contents(made) == contents(DUMBBELL_PROJECT "/certificates/law.dbc.gz")));
+}
+
 TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
     for (const auto& [ratio, code, said] : std::vector<std::tuple<std::string, int, std::string>>{
              {"1", 0, "N(q) = 2 at q = 1.\n"},

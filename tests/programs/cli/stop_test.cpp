@@ -6,7 +6,7 @@ using namespace dumbbell_test;
 
 namespace {
 
-const Words long_proof{"certify", "1:100000", "--gap", "1e-14", "--out", "stairs.dbc"};
+const Words long_proof{"certify", "1:30000", "--gap", "1e-14", "--out", "stairs.dbc"};
 
 /// Sends the signal once the job has had a tenth of a second of the processor: it takes ten times as long, or
 /// more.
@@ -99,7 +99,7 @@ TEST_CASE("a stopped run ends early, in the middle of a section without end too"
 
 TEST_CASE("a signal that was ignored from the beginning stays ignored") {
     const TemporaryFolder folder;
-    Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:100000 --gap 1e-14"});
+    Process process({"sh", "-c", "trap '' INT; exec " DUMBBELL_BIN " certify 1:30000 --gap 1e-14"});
     process.until([&] { return process.cpu_seconds() > 0.1; });
     process.send(SIGINT);
     CHECK(process.wait().code == 0);
