@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "verify/program/verify.hpp"
+#include "verify/adiabatic/claim.hpp"
 
 namespace dumbbell_mutation {
 
