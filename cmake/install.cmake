@@ -12,19 +12,25 @@ set(package ${CMAKE_INSTALL_DATADIR}/cmake/dumbbell)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
 
 set(programs dumbbell-verify)
-set(libraries dumbbell_api_verify)
+set(libraries "")
+foreach(library dumbbell_api_verify dumbbell_api_prove)
+  if(TARGET ${library})
+    list(APPEND libraries ${library})
+  endif()
+endforeach()
 if(NOT DUMBBELL_VERIFIER_ONLY)
   list(APPEND programs dumbbell)
-  list(APPEND libraries dumbbell_api_prove)
 endif()
 add_custom_target(installable DEPENDS ${programs} ${libraries})  # what has to be built before
 if(TARGET pages)
   add_dependencies(installable pages)
 endif()
 install(TARGETS ${programs} EXPORT dumbbell-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS ${libraries} EXPORT dumbbell-targets
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+if(libraries)
+  install(TARGETS ${libraries} EXPORT dumbbell-targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+endif()
 install(EXPORT dumbbell-targets NAMESPACE dumbbell:: DESTINATION ${package} COMPONENT development)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/dumbbell-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -2,7 +2,7 @@
 
 #include "cli/options/option.hpp"
 
-/// The commands, each in a file of its own.
+/// The commands, each in a file of its own; some are of wings, in src/wings/commands.
 namespace dumbbell::cli {
 
 extern const Command certify_command, critical_command, join_command, trace_command, adiabatic_command,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
@@ -11,6 +12,7 @@
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
+#include "cli/commands/start_in_the_air.hpp"
 #include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
@@ -25,7 +27,6 @@
 #include "collisions/witness_orbit.hpp"
 #include "collisions/writer.hpp"
 #include "number/ratio_argument.hpp"
-#include "starts/answer/witness_start.hpp"
 
 namespace dumbbell::cli {
 
@@ -123,13 +124,6 @@ std::vector<ProvedPiece> prove_pieces(CertifyRequest request, Verbosity verbosit
 /// Orbits up to this long are traced in milliseconds, so that a start is said without being asked for.
 constexpr long most_traced_unasked = 100;
 
-std::string why_no_start(const collisions::Witness& witness) {
-    return witness.total() > starts::longest_witness
-               ? fmt::format("it is looked for only along orbits of up to {} collisions",
-                             starts::longest_witness)
-               : "none near this orbit was proved to have as many collisions";
-}
-
 collisions::ProofReport describe(const CertifyRequest& request, const std::vector<ProvedPiece>& pieces,
                                  double seconds, const Given& given) {
     const bool witness = given.has("--witness");
@@ -150,8 +144,9 @@ collisions::ProofReport describe(const CertifyRequest& request, const std::vecto
             witness ? !row.orbit.empty()
                     : said_unasked && p.piece.witness && p.piece.witness->total() <= most_traced_unasked;
         if (traced) {
-            row.start = starts::witness_start(*p.piece.witness, p.piece.q_lo, interrupted);
-            row.why_no_start = row.start ? "" : why_no_start(*p.piece.witness);
+            auto found = start_in_the_air(*p.piece.witness, p.piece.q_lo, interrupted);
+            row.start = std::move(found.start);
+            row.why_no_start = std::move(found.why_none);
         }
         report.rows.push_back(std::move(row));
     }

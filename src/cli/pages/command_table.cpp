@@ -47,7 +47,7 @@ std::string usage(const Place& place) {
 
 std::vector<Section> sections(const Place& place) {
     const Command& command = *place.command;
-    std::vector<Section> all{{"", usage(place), std::string(command.text), place.footer}};
+    std::vector<Section> all{{"", usage(place), description(command), place.footer}};
     for (const Topic& topic : command.topics) {
         all.push_back({topic.name, fmt::format("{} --help {}", place.name, topic.name),
                        fmt::format("{}\n\n{}", topic.text, topic.examples)});
@@ -92,6 +92,19 @@ std::vector<Block> blocks(std::string_view text) {
         fresh = line.empty();
     }
     return result;
+}
+
+std::string description(const Command& command) {
+    std::string text;
+    for (const std::string_view line : split(command.text, '\n')) {
+        const auto words = split(line, ' ');  // of an example: two empty ones, dumbbell, certify
+        const bool is_example = words.size() > 3 && words[0].empty() && words[2] == command.name;
+        const Command* shown = is_example ? command.below(words[3]) : nullptr;
+        if (shown == nullptr || !shown->group.empty()) {
+            text += fmt::format("{}{}", text.empty() ? "" : "\n", line);
+        }
+    }
+    return text;
 }
 
 std::string brief(const Command& command) {

@@ -49,6 +49,9 @@ struct Block {
 };
 [[nodiscard]] std::vector<Block> blocks(std::string_view text);
 
+/// Without examples of commands that this build does not have.
+[[nodiscard]] std::string description(const Command& command);
+
 /// The first line.
 [[nodiscard]] std::string brief(const Command& command);
 

@@ -104,7 +104,7 @@ std::string one_screen(const Place& place) {
     }
     return fmt::format("{}\n\nUsage: {}\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
                        brief(*place.command), usage(place), place.name, commands_text(*place.command),
-                       options, examples_text(place.command->text), footer);
+                       options, examples_text(description(*place.command)), footer);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ std::string groff(std::string_view text) {
 
 std::string bold(std::string_view text) { return "\\fB" + groff(text) + "\\fR"; }
 
-void add_groff(std::string& page, std::string_view description) {
-    for (const Block& block : blocks(description)) {
+void add_groff(std::string& page, std::string_view text) {
+    for (const Block& block : blocks(text)) {
         page += block.verbatim ? ".PP\n.RS 2\n.nf\n" : ".PP\n";
         for (const std::string& line : block.lines) {
             page += groff(line) + "\n";
@@ -59,7 +59,7 @@ std::string man_page(const Command& program) {
         page += is_called(*place.command) ? bold(usage(place)) + "\n" : "";
     }
     page += ".fi\n.SH DESCRIPTION\n";
-    add_groff(page, program.text);
+    add_groff(page, description(program));
     page += ".SH OPTIONS\n";
     add_groff_options(page, std::array{help_option});
     add_groff_options(page, program.options);

@@ -14,8 +14,8 @@ std::string markdown(std::string_view text) {
         {{'*', "\\*"}, {'_', "\\_"}, {'<', "\\<"}, {'|', "\\|"}, {'[', "\\["}, {'\\', "\\\\"}, {'`', "\\`"}});
 }
 
-void add_markdown(std::string& page, std::string_view description) {
-    for (const Block& block : blocks(description)) {
+void add_markdown(std::string& page, std::string_view text) {
+    for (const Block& block : blocks(text)) {
         page += "\n";
         for (const std::string& line : block.lines) {
             page += block.verbatim ? "    " + line + "\n" : markdown(line) + "\n";

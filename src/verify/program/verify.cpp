@@ -30,6 +30,8 @@ void name_both(Failure& failure, const Settings& settings, std::string_view scen
 Verified read_on(Text& text, const Request& settings, const Header& header) {
     const std::string& claim = header.claim;
     const ClaimKind* kind = claim_kind(claim);
+    const std::string unknown = "unknown claim " + claim + std::string(built_without());
+    if (!kind && claim != "collisions" && !built_without().empty()) text.unsupported(unknown);
     const bool is_of_starts = kind && kind->is_of_starts;
     if (settings.shares && !is_of_starts)
         throw Failure{Verdict::unreadable, text.line, "usage",
@@ -44,8 +46,7 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
     if (settings.together)
         throw Failure{Verdict::unreadable, text.line, "usage",
                       "--together is about ranges of mass ratios, and this file is about something else"};
-    if (!kind || header.section != (kind->is_of_section ? &turning() : nullptr))
-        text.unsupported("unknown claim " + claim + std::string(built_without()));
+    if (!kind || header.section != (kind->is_of_section ? &turning() : nullptr)) text.unsupported(unknown);
     const Collisions& demand = settings.demand;
     const bool bounds = demand.ratios || demand.most || demand.least;
     if (demand.gap || demand.gaps_at_most || demand.rhos || settings.heavy_once ||

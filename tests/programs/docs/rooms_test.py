@@ -38,6 +38,8 @@ def namespace_of(room, ground):
     """The namespace that the room's files open."""
     if room.startswith("verify/"):
         return "dumbbell_verify"
+    if room == "commands":
+        return "dumbbell::cli"
     return "::".join(["dumbbell"] if room in ground else ["dumbbell", *room.split("/")])
 
 
@@ -73,7 +75,7 @@ def main():
     defined = collections.defaultdict(set)
     for file in sorted(SRC.rglob("*.?pp")):
         path = file.relative_to(SRC).as_posix()
-        room, text = room_of(path, order), file.read_text(encoding="utf-8")
+        room, text = room_of(path.removeprefix("wings/"), order), file.read_text(encoding="utf-8")
         if room is None:
             faults.append(f"{path} is in no room of src/README.md")
             continue

@@ -1,5 +1,3 @@
-#include "cli/claims/adiabatic.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
+#include "commands/statements.hpp"
 #include "number/ratio_argument.hpp"
 
 namespace dumbbell::cli {

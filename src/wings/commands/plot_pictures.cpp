@@ -1,4 +1,4 @@
-#include "cli/commands/plot_pictures.hpp"
+#include "commands/plot_pictures.hpp"
 
 #include <fmt/core.h>
 

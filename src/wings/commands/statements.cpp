@@ -1,4 +1,4 @@
-#include "cli/claims/adiabatic.hpp"
+#include "commands/statements.hpp"
 
 #include <fmt/core.h>
 

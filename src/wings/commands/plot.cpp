@@ -1,10 +1,10 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "cli/commands/plot_pictures.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
+#include "commands/plot_pictures.hpp"
 
 namespace dumbbell::cli {
 namespace {
