@@ -22,6 +22,13 @@ endif()
 target_compile_definitions(dumbbell_catch_main PUBLIC CATCH_CONFIG_FAST_COMPILE)
 target_compile_options(dumbbell_catch_main PRIVATE $<$<CONFIG:Release>:-O1>)
 
+# In a build without all wings a test case with the tag [wings], which asks for one, is no test.
+if(has_all_wings)
+  set(test_spec "")
+else()
+  set(test_spec TEST_SPEC "~[wings]")
+endif()
+
 function(dumbbell_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS;LABELS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
@@ -39,7 +46,7 @@ function(dumbbell_add_tests name)
   set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   # A name that matches no test case is a failure: cmake splits one that has a semicolon, and joins one that has an
   # unpaired bracket to those that follow it.
-  catch_discover_tests(test_${name} TEST_PREFIX "${name}/" ${catch_options})
+  catch_discover_tests(test_${name} TEST_PREFIX "${name}/" ${test_spec} ${catch_options})
 
   # ctest reads this after the list that catch_discover_tests made. A program that crashes when it is
   # asked for its tests leaves an empty list there, silently: make that a failure.

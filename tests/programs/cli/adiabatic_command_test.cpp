@@ -33,7 +33,7 @@ void check_written(const TemporaryFolder& folder, Words options) {
 }  // namespace
 
 // Where the masses differ least, the enclosures of the two programs differ most.
-TEST_CASE("adiabatic writes certificates that the verifier takes, at any delta below 1/2") {
+TEST_CASE("adiabatic writes certificates that the verifier takes, at any delta below 1/2", "[wings]") {
     const TemporaryFolder folder;
     const std::vector<const char*> deltas{"0.01", "1/6",  "0.49", "0.1:0.45", "0.001", "0.1",
                                           "0.11", "0.12", "0.13", "1/7",      "0.2",   "0.25",
@@ -62,7 +62,7 @@ TEST_CASE("adiabatic writes certificates that the verifier takes, at any delta b
 
 // docs/6-adiabatic.md: the first bounce is sqrt(delta)/2 from the vertical, and the last almost stops the
 // rod.
-TEST_CASE("Theorem 3.5 as printed is not true at delta = 0.01: an orbit, enclosed") {
+TEST_CASE("Theorem 3.5 as printed is not true at delta = 0.01: an orbit, enclosed", "[wings]") {
     const Outcome result = dumbbell({"trace", "9999", "--phi", "3.66238893", "--phidot", "1", "--y",
                                      "1.0060771", "--ydot", "-0.0074267297", "--json"});
     REQUIRE(result.code == 0);
@@ -75,13 +75,13 @@ TEST_CASE("Theorem 3.5 as printed is not true at delta = 0.01: an orbit, enclose
     CHECK(collisions.back().at("phidot_after").at(1) < 0);
 }
 
-TEST_CASE("several distances give a table") {
+TEST_CASE("several distances give a table", "[wings]") {
     const Outcome result = dumbbell(adiabatic({"--delta", "0.2", "--phi-margin", "0.8,0.9"}));
     CHECK(result.code == 0);
     CHECK_THAT(result.out, Contains("distance") && Contains("\n     0.9  |I_n - I_0|"));
 }
 
-TEST_CASE("a distance in degrees or as a multiple of pi is the one in radians, cut down") {
+TEST_CASE("a distance in degrees or as a multiple of pi is the one in radians, cut down", "[wings]") {
     const auto printed = [](const std::string& margin) {
         const Outcome result = dumbbell(adiabatic({"--delta", "0.2", "--phi-margin", margin, "--quiet"}));
         CHECK(result.code == 0);
@@ -92,7 +92,7 @@ TEST_CASE("a distance in degrees or as a multiple of pi is the one in radians, c
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "pi/"}), Contains("--phi-margin"));
 }
 
-TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is written") {
+TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is written", "[wings]") {
     for (const char* delta : {"0", "0.5", "0.7", "-0.1", "x", "0.02:0.01", "0.1:0.5", ""}) {
         refused({"adiabatic", "--delta", delta, "--out", "file.dbc"});
     }
@@ -129,7 +129,7 @@ TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is
     refused({"adiabatic", "--delta", "0.01", "--theorem", "thm3.4"});
 }
 
-TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothing") {
+TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothing", "[wings]") {
     const TemporaryFolder folder;
     const Outcome result =
         dumbbell(adiabatic({"--delta", "0.01", "--budget", "0s", "--out", "none.dbc"}), folder.path());
@@ -139,7 +139,7 @@ TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothi
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("the attained orbit has at most K/delta bounces") {
+TEST_CASE("the attained orbit has at most K/delta bounces", "[wings]") {
     const Outcome result = dumbbell(adiabatic({"--delta", "0.01", "--bounces", "1/10", "--json"}));
     REQUIRE(result.code == 0);
     const auto json = nlohmann::ordered_json::parse(result.out);

@@ -60,7 +60,7 @@ TEST_CASE("unknown scenes, sections, options and commands are refused") {
     refused({""});
 }
 
-TEST_CASE("a command or option that is nearly right is named, and the help that explains it") {
+TEST_CASE("a command or option that is nearly right is named, and the help that explains it", "[wings]") {
     CHECK_THAT(refused({"certfy", "10"}),
                Contains("no command 'certfy'; did you mean certify? see dumbbell --help"));
     CHECK_THAT(refused({"certify", "10", "--secton", "full"}),
@@ -73,7 +73,7 @@ TEST_CASE("a command or option that is nearly right is named, and the help that 
     CHECK_THAT(refused({"certify", "10", "--jobs", "0"}), Contains("see dumbbell certify --help"));
 }
 
-TEST_CASE("what is wrong is said in plain words, and in the order given") {
+TEST_CASE("what is wrong is said in plain words, and in the order given", "[wings]") {
     CHECK_THAT(refused({"--foo"}), Contains("there is no option '--foo'; see dumbbell --help"));
     CHECK_THAT(refused({}), Contains("dumbbell needs a command: ") && Contains("certify"));
     CHECK_THAT(refused({"plot", "pie", "x"}),
@@ -155,7 +155,7 @@ TEST_CASE("every option of every command is refused without its value, with a wr
     }
 }
 
-TEST_CASE("an output without a name is refused by each command that has one") {
+TEST_CASE("an output without a name is refused by each command that has one", "[wings]") {
     for (Words words :
          {Words{"certify", "10"}, Words{"critical", "4"}, Words{"adiabatic"}, Words{"trace", "10"},
           Words{"plot", "staircase", "x.dbc"}, Words{"report", "x.dbc"}}) {
@@ -165,7 +165,7 @@ TEST_CASE("an output without a name is refused by each command that has one") {
     }
 }
 
-TEST_CASE("names of files cannot break a message into lines, or move the terminal's cursor") {
+TEST_CASE("names of files cannot break a message into lines, or move the terminal's cursor", "[wings]") {
     const std::string name = "a\nb\033[31m\177/x";
     CHECK_THAT(refused({"certify", "10", "--out", name}), Contains("'a?b?[31m?/x'"));
     CHECK_THAT(refused({"audit", name}), Contains("'a?b?[31m?/x'"));
@@ -176,7 +176,7 @@ TEST_CASE("names of files cannot break a message into lines, or move the termina
                         "e'"));
 }
 
-TEST_CASE("an input that cannot be read is named, with the cause") {
+TEST_CASE("an input that cannot be read is named, with the cause", "[wings]") {
     const std::string name(300, 'x');
     for (const Words& words : std::vector<Words>{{"audit", name},
                                                  {"report", name, "--out", "x.html"},
@@ -235,7 +235,7 @@ TEST_CASE("a range of more than a million steps is refused with advice") {
     }
 }
 
-TEST_CASE("plot refuses what is no certificate over a range") {
+TEST_CASE("plot refuses what is no certificate over a range", "[wings]") {
     for (const Words& words : {Words{"plot", "staircase"}, Words{"report"}}) {
         const std::string out = words[0] == "plot" ? "x.svg" : "x.html";
         const auto of = [&](const char* file) {

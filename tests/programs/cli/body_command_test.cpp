@@ -93,7 +93,7 @@ TEST_CASE("a range of bodies has parts, which join, and a missing one is named w
           0);
 }
 
-TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified") {
+TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
@@ -106,7 +106,7 @@ TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified"
     CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
 }
 
-TEST_CASE("a page shows what is about bodies, and other pictures refuse it") {
+TEST_CASE("a page shows what is about bodies, and other pictures refuse it", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
                 .code == 0);

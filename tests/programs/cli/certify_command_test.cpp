@@ -85,7 +85,8 @@ std::string traced_start(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the witness is also printed as a start in the air that trace proves to have N collisions") {
+TEST_CASE("the witness is also printed as a start in the air that trace proves to have N collisions",
+          "[wings]") {
     for (const char* ratio : {"1", "1.1", "4.61", "10", "100", "1000", "1e4", "1e6"}) {
         CAPTURE(ratio);
         const auto known = std::ranges::find_if(
@@ -105,7 +106,7 @@ TEST_CASE("the witness is also printed as a start in the air that trace proves t
     }
 }
 
-TEST_CASE("of an orbit of more than 5000 collisions --witness says that no start is looked for") {
+TEST_CASE("of an orbit of more than 5000 collisions --witness says that no start is looked for", "[wings]") {
     const std::string no_start =
         "\nNo start in the air: it is looked for only along orbits of up to 5000 collisions.\n";
     const std::string out = dumbbell({"certify", "4e7", "--witness"}).out;
@@ -113,8 +114,8 @@ TEST_CASE("of an orbit of more than 5000 collisions --witness says that no start
     CHECK_THAT(dumbbell({"certify", "4e7"}).out, !Contains("start in the air"));
 }
 
-TEST_CASE(
-    "of a range each start in the air belongs to the lowest ratio of its piece, and stands in the JSON") {
+TEST_CASE("of a range each start in the air belongs to the lowest ratio of its piece, and stands in the JSON",
+          "[wings]") {
     const Json pieces = Json::parse(dumbbell({"certify", "4.5:5", "--witness", "--json"}).out).at("pieces");
     REQUIRE(pieces.size() == 3);
     for (const Json& piece : pieces) {
@@ -165,8 +166,8 @@ TEST_CASE(
     CHECK(verifier({"--max-bits", "2080", "--ratio", ratio, "--exactly", "3", path}).code == 0);
 }
 
-TEST_CASE(
-    "the bounds of a critical ratio with as many digits as there are are mass ratios, and are decided") {
+TEST_CASE("the bounds of a critical ratio with as many digits as there are are mass ratios, and are decided",
+          "[wings]") {
     const TemporaryFolder folder;
     const auto json = nlohmann::json::parse(dumbbell({"critical", "4", "--digits", "1000", "--json"}).out);
     for (const auto& [end, n] : {std::pair("lo", "3"), std::pair("hi", "4")}) {

@@ -32,7 +32,7 @@ std::string moved_hint(const std::string& text, const std::string& keyword, char
 
 }  // namespace
 
-TEST_CASE("a maximum beyond 64 bits is proved, verified, and said in full") {
+TEST_CASE("a maximum beyond 64 bits is proved, verified, and said in full", "[wings]") {
     for (const char* ratio : some_of(std::vector<const char*>{"1e40", "1e100"}, 1)) {
         CAPTURE(ratio);
         const TemporaryFolder folder;

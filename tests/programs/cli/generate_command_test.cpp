@@ -37,7 +37,7 @@ Words offered(const Words& words, const std::string& folder = ".") {
 
 }  // namespace
 
-TEST_CASE("docs/reference/commands.md is what the program generates") {
+TEST_CASE("docs/reference/commands.md is what the program generates", "[wings]") {
     CHECK(contents(DUMBBELL_PROJECT "/docs/reference/commands.md") == generated("reference"));
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("groff finds nothing wrong with the man pages") {
     }
 }
 
-TEST_CASE("bash completes commands, and hides the one that is for packagers") {
+TEST_CASE("bash completes commands, and hides the one that is for packagers", "[wings]") {
     CHECK(offered({"dumbbell", "cert"}) == Words{"certify"});
     CHECK(offered({"dumbbell", "plot", "sta"}) == Words{"staircase"});
     CHECK(offered({"dumbbell", "gen"}).empty());
@@ -86,7 +86,7 @@ TEST_CASE("bash completes commands, and hides the one that is for packagers") {
     CHECK(std::find(all.begin(), all.end(), "verify") != all.end());
 }
 
-TEST_CASE("bash completes options, and the words that an option takes") {
+TEST_CASE("bash completes options, and the words that an option takes", "[wings]") {
     CHECK(offered({"dumbbell", "certify", "10", "--sec"}) == Words{"--section"});
     CHECK(offered({"dumbbell", "certify", "10", "--section", ""}) == Words{"turning", "full", "plain"});
     CHECK(offered({"dumbbell", "certify", "--section", "=", "f"}) == Words{"full"});
@@ -96,7 +96,7 @@ TEST_CASE("bash completes options, and the words that an option takes") {
     CHECK(offered({"dumbbell", "adiabatic", "--theorem", "thm"}) == Words{"thm3.3", "thm3.5"});
 }
 
-TEST_CASE("bash completes file names where a file is wanted") {
+TEST_CASE("bash completes file names where a file is wanted", "[wings]") {
     const TemporaryFolder folder;
     write_file(folder / "ten.dbc", "");
     write_file(folder / "my stairs.dbc", "");

@@ -32,7 +32,8 @@ TEST_CASE("the option --help explains the commands with examples and exit codes,
     }
 }
 
-TEST_CASE("every command has a help, of topics too, that says of each option what the reference says") {
+TEST_CASE("every command has a help, of topics too, that says of each option what the reference says",
+          "[wings]") {
     const auto commands = listed_commands();
     CHECK(commands.size() > 14);
     for (const ListedCommand& command : commands) {
@@ -59,7 +60,7 @@ TEST_CASE("every command has a help, of topics too, that says of each option wha
     }
 }
 
-TEST_CASE("the help of certify fits one screen, and bodies and lists have a help of their own") {
+TEST_CASE("the help of certify fits one screen, and bodies and lists have a help of their own", "[wings]") {
     const std::string help = help_of({"certify"}).out, bodies = help_of({"certify"}, {"bodies"}).out;
     CHECK(count_lines(help) <= 45);
     CHECK(occurrences(help, "not with") == 0);
@@ -81,7 +82,7 @@ TEST_CASE("the option --version says which build this is: version, compiler, fla
                                 Contains("-ffp-contract=off"));
 }
 
-TEST_CASE("the help of a command that only has commands fits one screen, a line for each") {
+TEST_CASE("the help of a command that only has commands fits one screen, a line for each", "[wings]") {
     const std::vector<std::pair<Words, Words>> parents{
         {{}, {"certify", "critical", "trace", "adiabatic", "verify", "audit", "law", "plot", "report"}},
         {{"plot"}, {"staircase", "orbit", "phase", "body"}}};

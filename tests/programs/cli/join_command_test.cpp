@@ -123,7 +123,7 @@ TEST_CASE("a missing part is named with the command that makes it") {
     CHECK_THAT(not_joined(folder, parts, {"--range", "1:200"}), Contains("reaches beyond --range"));
 }
 
-TEST_CASE("a wrong part is named, with the command that makes it again, and nothing is written") {
+TEST_CASE("a wrong part is named, with the command that makes it again, and nothing is written", "[wings]") {
     const TemporaryFolder folder;
     const Words parts = made_parts(folder, 3);
     const std::string file = folder / parts[1], good = contents(file);

@@ -140,7 +140,7 @@ Words falling(Words options) {
 
 }  // namespace
 
-TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null says nothing") {
+TEST_CASE("docs/reference/json.md describes the JSON of certify, in which null says nothing", "[wings]") {
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n");
     const auto objects = printed_by({{"certify", "1:5", "--witness"},
@@ -179,7 +179,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
                                         folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of law") {
+TEST_CASE("docs/reference/json.md describes the JSON of law", "[wings]") {
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n");
     check_documented("law", printed_by({{"law", "--prove", "--out", "law.dbc"}}, folder));
@@ -196,7 +196,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of a bad line of a list") {
     check_documented("--list", printed_by({{"certify", "--list", "list"}}, folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of trace") {
+TEST_CASE("docs/reference/json.md describes the JSON of trace", "[wings]") {
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n");
     const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
@@ -215,7 +215,7 @@ TEST_CASE("docs/reference/json.md describes the JSON of trace") {
                    folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {
+TEST_CASE("docs/reference/json.md describes the JSON of adiabatic", "[wings]") {
     const TemporaryFolder folder;
     check_documented(
         "adiabatic",
@@ -225,13 +225,13 @@ TEST_CASE("docs/reference/json.md describes the JSON of adiabatic") {
                    folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of audit") {
+TEST_CASE("docs/reference/json.md describes the JSON of audit", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "2:3", "--out", "two.dbc"}, folder.path()).code == 0);
     check_documented("audit", printed_by({{"audit", "two.dbc"}}, folder));
 }
 
-TEST_CASE("docs/reference/json.md describes the JSON of verify") {
+TEST_CASE("docs/reference/json.md describes the JSON of verify", "[wings]") {
     const TemporaryFolder folder;
     const auto make = [&](Words words) { REQUIRE(dumbbell(words, folder.path()).code == 0); };
     make({"certify", "10", "--section", "full", "--out", "ten.dbc"});

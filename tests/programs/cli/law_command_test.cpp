@@ -5,7 +5,7 @@
 
 using namespace dumbbell_test;
 
-TEST_CASE("law states the law for every mass ratio, and what the verifier says of it") {
+TEST_CASE("law states the law for every mass ratio, and what the verifier says of it", "[wings]") {
     const Outcome law = dumbbell({"law"});
     CHECK(law.code == 0);
     CHECK(law.err.empty());
@@ -51,7 +51,7 @@ const std::vector<Words> questions{{}, {"--ratio", "5"}, {"--count", "903"}};
 
 }  // namespace
 
-TEST_CASE("a program without its certificates says that they are missing") {
+TEST_CASE("a program without its certificates says that they are missing", "[wings]") {
     for (const Words& question : questions) {
         CHECK(refused_with("", question) ==
               "dumbbell: the certificate law.dbc.gz that comes with this program is not found: install the "
@@ -59,7 +59,8 @@ TEST_CASE("a program without its certificates says that they are missing") {
     }
 }
 
-TEST_CASE("law believes no certificate that the verifier rejects, and answers by none but its own") {
+TEST_CASE("law believes no certificate that the verifier rejects, and answers by none but its own",
+          "[wings]") {
     const TemporaryFolder folder;
     const std::string file = folder / "law.dbc", ten = certificate(folder, "10");
     std::string text = run({"gzip", "-dc", DUMBBELL_PROJECT "/certificates/law.dbc.gz"}).out;
@@ -74,14 +75,14 @@ TEST_CASE("law believes no certificate that the verifier rejects, and answers by
     }
 }
 
-TEST_CASE("law --prove makes the certificate that is shipped again, byte for byte") {
+TEST_CASE("law --prove makes the certificate that is shipped again, byte for byte", "[wings]") {
     const TemporaryFolder folder;
     const std::string made = folder / "law.dbc.gz";
     CHECK(dumbbell({"law", "--prove", "--quiet", "--out", made}).code == 0);
     CHECK((contents(made) == contents(DUMBBELL_PROJECT "/certificates/law.dbc.gz")));
 }
 
-TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
+TEST_CASE("law --ratio says N, or the two values that remain, of any ratio", "[wings]") {
     for (const auto& [ratio, code, said] : std::vector<std::tuple<std::string, int, std::string>>{
              {"1", 0, "N(q) = 2 at q = 1.\n"},
              {"1e6", 0, "N(q) = 887 at q = 1000000.\n"},
@@ -103,7 +104,8 @@ TEST_CASE("law --ratio says N, or the two values that remain, of any ratio") {
                Contains(" of a step below or ") && Contains("is 9: too near to tell.\n"));
 }
 
-TEST_CASE("law --count encloses the ratio at which the maximum steps to N, for any N from 903 on") {
+TEST_CASE("law --count encloses the ratio at which the maximum steps to N, for any N from 903 on",
+          "[wings]") {
     CHECK(dumbbell({"law", "--count", "903", "--quiet"}).out == "1035105.277 <= q_c(903) <= 1035105.972\n");
     CHECK(dumbbell({"law", "--count", "9.03e2"}).out == dumbbell({"law", "--count", "903"}).out);
     CHECK_THAT(dumbbell({"law", "--count", "10^18"}).out,
@@ -111,7 +113,7 @@ TEST_CASE("law --count encloses the ratio at which the maximum steps to N, for a
     CHECK(dumbbell({"law", "--count", "1e100"}).code == 0);
 }
 
-TEST_CASE("law says what is wrong with its options, and leaves no file") {
+TEST_CASE("law says what is wrong with its options, and leaves no file", "[wings]") {
     CHECK_THAT(refused({"law", "stairs.dbc"}), Contains("not expected here: 'stairs.dbc'"));
     CHECK_THAT(refused({"law", "--ratio", "1:2"}), Contains("--ratio takes one mass ratio"));
     CHECK_THAT(refused({"law", "--ratio", "0"}), Contains("must be greater than 0"));

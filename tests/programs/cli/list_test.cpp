@@ -107,8 +107,8 @@ TEST_CASE("no field of a table is taken apart or for a quoted one, whatever a li
     CHECK_THAT(result.out, Contains("\n2\tx'y?\t\t\t\t\t\t\t'x'y?' is not a number"));
 }
 
-TEST_CASE(
-    "with --json a line is what the command prints of that ratio, on one line, with the line's number") {
+TEST_CASE("with --json a line is what the command prints of that ratio, on one line, with the line's number",
+          "[wings]") {
     for (const auto& [command, options] :
          std::vector<std::pair<std::string, Words>>{{"certify", {}}, {"law", {}}, {"trace", falling_start}}) {
         CAPTURE(command);
@@ -133,7 +133,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("law and trace give the same table") {
+TEST_CASE("law and trace give the same table", "[wings]") {
     const Outcome law = listed("70\n4.6034\n1:2\n", {}, "law");
     CHECK(law.code == 2);
     CHECK_THAT(law.out, StartsWith(heading + "1\t70\t70/1\t70\t70/1\t70\t9\t9\t\n") &&
@@ -143,7 +143,7 @@ TEST_CASE("law and trace give the same table") {
     CHECK(trace.out == heading + "1\t10\t10/1\t10\t10/1\t10\t1\t1\t\n2\t1:20\t1/1\t1\t20/1\t20\t1\t5\t\n");
 }
 
-TEST_CASE("lines that are not decided are counted, the first is named, and the exit code is 3") {
+TEST_CASE("lines that are not decided are counted, the first is named, and the exit code is 3", "[wings]") {
     const Outcome result = listed("10\n20\n", {"--budget", "0s"});
     CHECK(result.code == 3);
     CHECK(result.out == heading + "1\t10\t10/1\t10\t10/1\t10\t0\t\t\n2\t20\t20/1\t20\t20/1\t20\t0\t\t\n");
@@ -229,7 +229,7 @@ TEST_CASE("a list that was killed, or had a bad line, goes on with what is missi
     CHECK(run({"diff", "-r", folder / "once", folder / "proofs"}).code == 0);
 }
 
-TEST_CASE("trace --subdivide keeps its certificates in the same way") {
+TEST_CASE("trace --subdivide keeps its certificates in the same way", "[wings]") {
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n20\n");
     const Outcome result = dumbbell({"trace", "--list", "list", "--phi", "0:0.5", "--phidot", "0", "--y", "3",
@@ -240,7 +240,8 @@ TEST_CASE("trace --subdivide keeps its certificates in the same way") {
     CHECK(verifier({"boxes/000001.dbc", "boxes/000002.dbc"}, folder.path()).code == 0);
 }
 
-TEST_CASE("a list that is not there, has no ratio, or whose options contradict one another is refused") {
+TEST_CASE("a list that is not there, has no ratio, or whose options contradict one another is refused",
+          "[wings]") {
     CHECK_THAT(refused({"certify", "--list", "none"}), Contains("cannot read 'none': no such file"));
     CHECK_THAT(refused({"certify", "--list", "."}), Contains("it is a directory"));
     CHECK_THAT(refused({"certify", "--list", "-"}), Contains("'-' has no mass ratio: write one"));

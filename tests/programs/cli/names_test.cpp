@@ -33,7 +33,7 @@ Outcome pasted(const std::string& text, const std::string& before, const std::st
 
 }  // namespace
 
-TEST_CASE("no command of either program prints a name raw, whatever comes out") {
+TEST_CASE("no command of either program prints a name raw, whatever comes out", "[wings]") {
     const TemporaryFolder folder;
     const std::string& f = folder.path();
     const std::string stairs = hostile + ".dbc", box = hostile + "box.dbc";
@@ -89,7 +89,7 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out") 
     CHECK_THAT(contents(folder / hostile + ".html"), !Contains("\x1b"));
 }
 
-TEST_CASE("a command that is printed can be pasted, whatever the file is called") {
+TEST_CASE("a command that is printed can be pasted, whatever the file is called", "[wings]") {
     const TemporaryFolder folder;
     for (const std::string& name : {std::string("a b/it's $HOME"), std::string("-x"), hostile}) {
         CAPTURE(name);
@@ -118,7 +118,7 @@ TEST_CASE("a command that is printed can be pasted, whatever the file is called"
     }
 }
 
-TEST_CASE("a file is read as it is named, whatever a parser or a format could make of the name") {
+TEST_CASE("a file is read as it is named, whatever a parser or a format could make of the name", "[wings]") {
     const TemporaryFolder folder;
     const std::string sound = contents(DUMBBELL_PROJECT "/certificates/q-10.dbc");
     std::string damaged = sound;

@@ -37,7 +37,7 @@ Outcome fed(const std::string& file, const std::string& words, const std::string
 
 }  // namespace
 
-TEST_CASE("an output that is an input is refused, whatever it is called") {
+TEST_CASE("an output that is an input is refused, whatever it is called", "[wings]") {
     const TemporaryFolder folder;
     const std::string file = certificate(folder, "1:20");
     const std::string before = contents(file);
@@ -59,7 +59,7 @@ TEST_CASE("an output that is an input is refused, whatever it is called") {
     CHECK(contents(file) == before);
 }
 
-TEST_CASE("a name that does not say what is written is refused before any work") {
+TEST_CASE("a name that does not say what is written is refused before any work", "[wings]") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:20");
     const Words longest{"certify", "1:1000000", "--gap", "1e-9"};
@@ -129,7 +129,7 @@ TEST_CASE("a read-only file is not replaced") {
     CHECK(contents(report) == "mine");
 }
 
-TEST_CASE("the output - has the data alone, and what is said goes to stderr") {
+TEST_CASE("the output - has the data alone, and what is said goes to stderr", "[wings]") {
     const TemporaryFolder folder;
     for (const Words& words : {Words{"certify", "10"}, Words{"certify", "1:20"}, Words{"critical", "3:5"},
                                trace, Words{"adiabatic", "--delta", "0.01", "--theorem", "lemma3.1"}}) {
@@ -158,7 +158,7 @@ TEST_CASE("the output - has the data alone, and what is said goes to stderr") {
     CHECK(!fs::exists(folder / "-.partial"));
 }
 
-TEST_CASE("the file - is the standard input, for each command that reads one") {
+TEST_CASE("the file - is the standard input, for each command that reads one", "[wings]") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:20");
     REQUIRE(dumbbell({"plot", "staircase", stairs, "--out", folder / "named.svg"}).code == 0);
@@ -183,7 +183,7 @@ TEST_CASE("the file - is the standard input, for each command that reads one") {
     CHECK(closed.err == "dumbbell: cannot read the standard input: Bad file descriptor\n");
 }
 
-TEST_CASE("whatever could not be printed is no success, in every command") {
+TEST_CASE("whatever could not be printed is no success, in every command", "[wings]") {
     const TemporaryFolder folder;
     const std::string stairs = certificate(folder, "1:20");
     for (const char* words :

@@ -61,7 +61,7 @@ std::string refusal(Words words) {
 
 }  // namespace
 
-TEST_CASE("every picture is drawn from a certificate of its kind, twice the same") {
+TEST_CASE("every picture is drawn from a certificate of its kind, twice the same", "[wings]") {
     for (const Words& words : std::vector<Words>{{"orbit", "ten.dbc"},
                                                  {"orbit", "stairs.dbc", "--ratio", "9/2"},
                                                  {"orbit", "100"},
@@ -74,7 +74,7 @@ TEST_CASE("every picture is drawn from a certificate of its kind, twice the same
     CHECK_THAT(picture({"orbit", "1/100"}), Contains("q = 100"));  // the masses are swapped
 }
 
-TEST_CASE("a certificate of another kind is refused with the command that makes the right one") {
+TEST_CASE("a certificate of another kind is refused with the command that makes the right one", "[wings]") {
     CHECK_THAT(refusal({"phase", "ten.dbc"}), Contains("dumbbell trace") && Contains("--subdivide"));
     CHECK_THAT(refusal({"phase", "adiabatic.dbc"}),
                Contains("adiabatic invariant") && Contains("dumbbell trace"));
@@ -85,7 +85,7 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
     CHECK_THAT(refusal({"orbit", "wedge.dbc"}), Contains("scene wedge"));
 }
 
-TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it") {
+TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it", "[wings]") {
     CHECK_THAT(refusal({"orbit", "stairs.dbc"}), Contains("--ratio"));
     CHECK_THAT(refusal({"orbit", "ten.dbc", "--ratio", "11"}), Contains("nothing about the mass ratio 11"));
     CHECK_THAT(refusal({"orbit", "stairs.dbc", "--ratio", "2:3"}), Contains("single"));
@@ -95,7 +95,7 @@ TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it
     CHECK_THAT(refusal({"orbit", "nowhere.dbc"}), Contains("nowhere.dbc"));
 }
 
-TEST_CASE("what is not verified is not drawn, whatever the kind") {
+TEST_CASE("what is not verified is not drawn, whatever the kind", "[wings]") {
     for (const auto& [word, file] : {std::pair{"orbit", "ten.dbc"}, std::pair{"phase", "falling.dbc"},
                                      std::pair{"staircase", "stairs.dbc"}}) {
         CAPTURE(word);
@@ -107,7 +107,7 @@ TEST_CASE("what is not verified is not drawn, whatever the kind") {
     }
 }
 
-TEST_CASE("the pictures of docs/ are what the program draws from the shipped certificates") {
+TEST_CASE("the pictures of docs/ are what the program draws from the shipped certificates", "[wings]") {
     const auto without_digits = [](std::string text) {  // another C library may round a length otherwise
         std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
         return text;

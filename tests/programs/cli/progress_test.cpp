@@ -80,7 +80,8 @@ TEST_CASE(
         text, std::regex(R"(\[#*\.*\] \d+/\d+ pieces, about \S+ (s|min|h) left, [0-9.]+/s, N = )")));
 }
 
-TEST_CASE("the phases of a long job are named, and what counts nothing says for how long it has been at it") {
+TEST_CASE("the phases of a long job are named, and what counts nothing says for how long it has been at it",
+          "[wings]") {
     const std::string range = seen_on_terminal(long_range, "proving: ");
     CAPTURE(range);
     CHECK(range.find("proving: ") != std::string::npos);
@@ -120,7 +121,7 @@ TEST_CASE("a line appears by time, also while the first box, or the first piece 
     }
 }
 
-TEST_CASE("that a file is read is a phase of its own, in every command that reads one") {
+TEST_CASE("that a file is read is a phase of its own, in every command that reads one", "[wings]") {
     const TemporaryFolder folder;
     const std::string pipe = folder / "pipe", out = folder / "out";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);

@@ -20,7 +20,7 @@ Outcome report(const TemporaryFolder& folder, Words words) {
 
 }  // namespace
 
-TEST_CASE("more pieces than a page takes are refused before they are read") {
+TEST_CASE("more pieces than a page takes are refused before they are read", "[wings]") {
     const TemporaryFolder folder;
     const std::string few = contents(DUMBBELL_PROJECT "/certificates/stairs-1-100.dbc");
     write_file(folder / "many.dbc", replaced(few, "\npieces 17\n", "\npieces 3000000\n"));
@@ -30,7 +30,7 @@ TEST_CASE("more pieces than a page takes are refused before they are read") {
     CHECK(folder.names() == Words{"many.dbc"});
 }
 
-TEST_CASE("report makes one page from certificates of every kind, and says nothing") {
+TEST_CASE("report makes one page from certificates of every kind, and says nothing", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "1:10", "--out", "stairs.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"certify", "10", "--section", "full", "--out", "full.dbc.gz"}, folder.path()).code ==
@@ -72,7 +72,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
     }
 }
 
-TEST_CASE("a page has the verifier and the file, or report says how to have them") {
+TEST_CASE("a page has the verifier and the file, or report says how to have them", "[wings]") {
     const TemporaryFolder folder;
     // As it is installed, without the verifier and then with what stands for it: ./run web may have made one,
     // or not.
@@ -100,7 +100,7 @@ TEST_CASE("a page has the verifier and the file, or report says how to have them
     CHECK_THAT(contents(folder / "page.html"), Contains(none) && Contains("\"bytes\":\"\""));
 }
 
-TEST_CASE("the same certificates give the same page") {
+TEST_CASE("the same certificates give the same page", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
     REQUIRE(report(folder, {"ten.dbc", "--out", "one.html"}).code == 0);
@@ -108,7 +108,7 @@ TEST_CASE("the same certificates give the same page") {
     CHECK(contents(folder / "one.html") == contents(folder / "two.html"));
 }
 
-TEST_CASE("where there are more boxes than asked for, one line says so") {
+TEST_CASE("where there are more boxes than asked for, one line says so", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "100", "--section", "full", "--out", "full.dbc"}, folder.path()).code == 0);
     const Outcome made =
@@ -124,7 +124,7 @@ TEST_CASE("where there are more boxes than asked for, one line says so") {
     CHECK(drawn <= 100);
 }
 
-TEST_CASE("what cannot be read is refused in one line, and an older page stays") {
+TEST_CASE("what cannot be read is refused in one line, and an older page stays", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
     const std::string text = contents(folder / "ten.dbc");

@@ -54,7 +54,7 @@ TEST_CASE("a range that is stopped says what is kept, and the same command goes 
     }
 }
 
-TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept") {
+TEST_CASE("without a file, and for a single ratio, a stopped run says that nothing is kept", "[wings]") {
     const TemporaryFolder folder;
     for (const auto& [arguments, said] : std::vector<std::pair<Words, const char*>>{
              {{"certify", "1:100000000", "--gap", "1e-9"}, "with --out FILE they are kept"},

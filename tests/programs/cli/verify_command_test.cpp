@@ -138,7 +138,7 @@ static std::string with_verifier(const TemporaryFolder& folder, const std::strin
     return copy;
 }
 
-TEST_CASE("what is drawn and said of a file is of the bytes that the verifier accepted") {
+TEST_CASE("what is drawn and said of a file is of the bytes that the verifier accepted", "[wings]") {
     const TemporaryFolder folder;
     const std::string certificates = std::string(DUMBBELL_PROJECT) + "/certificates/";
     const std::string program =
@@ -164,7 +164,7 @@ TEST_CASE("what is drawn and said of a file is of the bytes that the verifier ac
     }
 }
 
-TEST_CASE("a signal that comes while a certificate is verified ends the verifier, too") {
+TEST_CASE("a signal that comes while a certificate is verified ends the verifier, too", "[wings]") {
     const TemporaryFolder folder;
     Process process(
         {with_verifier(folder, "echo $$ > number.tmp && mv number.tmp number\nexec sleep 1000\n"), "plot",

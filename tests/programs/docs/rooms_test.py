@@ -1,5 +1,6 @@
 """rooms_test.py: src/README.md says which room may use which; the includes say the same, every file opens its room's
-namespace and no other, and no two types of one name meet in a program. No function takes a claim in parts. Of the tests one header alone knows Catch2, which
+namespace and no other, and no two types of one name meet in a program. The mission stands
+before its wings there, and the files that its two ways name can be read at one sitting. No function takes a claim in parts. Of the tests one header alone knows Catch2, which
 is of version 2 or 3."""
 
 import collections
@@ -11,6 +12,8 @@ SRC = pathlib.Path(__file__).resolve().parents[3] / "src"
 TESTS = SRC.parent / "tests"
 ROW = re.compile(r"\| `([a-z_/]+)` \| [^|]+ \| ([^|]*)\|")
 GROUND = re.compile(r"The ground \(([^)]*)\) is `namespace dumbbell`")
+WAYS = re.compile(r"## The way of one ratio(.*)## The rooms(.*)## The wings", re.S)
+MOST_LINES = 6000
 INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
 # A parameter that is a part of a claim (collisions/claim.hpp): a section, a scene, or a range of rho.
 LOOSE = re.compile(r"[(,]\s*(?:const )?(?:[\w:]+::)?(?:(?:Section|Scene)&? \w+|Range& rho|[\w:<>]+&? (?:scene|section))\s*[,)]")
@@ -67,6 +70,20 @@ def types(text):
             spaces.append(None)
 
 
+def lines_of_ways():
+    """Of all files of the mission that have a name which the ways give; of a wing's, where the mission has none."""
+    ways, mission = WAYS.search((SRC / "README.md").read_text(encoding="utf-8")).groups()
+    inside = [room for room, _ in ROW.findall(mission)]
+    total = 0
+    for name in sorted(set(re.findall(r"`([a-z_/]+\.[ch]pp)`", ways))):
+        files = [file for file in SRC.rglob("*.?pp") if file.as_posix().endswith("/" + name)]
+        named = [file for file in files if room_of(file.relative_to(SRC).as_posix(), table()) in inside] or files
+        total += sum(len(file.read_text(encoding="utf-8").splitlines()) for file in named)
+        if not named:
+            raise SystemExit(f"src/README.md names {name}: there is no such file")
+    return total
+
+
 def main():
     allowed, used, faults = table(), collections.defaultdict(set), []
     order = list(allowed)
@@ -74,8 +91,8 @@ def main():
     spaces = {room: namespace_of(room, ground) for room in order}
     defined = collections.defaultdict(set)
     for file in sorted(SRC.rglob("*.?pp")):
-        path = file.relative_to(SRC).as_posix()
-        room, text = room_of(path.removeprefix("wings/"), order), file.read_text(encoding="utf-8")
+        path = file.relative_to(SRC).as_posix().removeprefix("wings/")
+        room, text = room_of(path, order), file.read_text(encoding="utf-8")
         if room is None:
             faults.append(f"{path} is in no room of src/README.md")
             continue
@@ -83,7 +100,7 @@ def main():
             owners = [owner for owner in spaces.values() if space == owner or space.startswith(owner + "::")]
             if max(owners, key=len, default=None) != spaces[room]:
                 faults.append(f"{path} opens namespace {space}: the room's is {spaces[room]}")
-        if room in ("collisions", "cli", "api", "page", "python") and not MAY_BE_LOOSE.match(path):
+        if room in ("collisions", "cli", "commands", "api", "page", "python") and not MAY_BE_LOOSE.match(path):
             faults += [f"{path} takes a part of a claim loose: {found}" for found in LOOSE.findall(NOISE.sub(" ", text))]
         for name in types(text):
             defined[name].add(path)
@@ -101,9 +118,11 @@ def main():
     faults += [f"{name} is defined in {' and '.join(sorted(files))}" for name, files in defined.items() if len(files) > 1]
     faults += [f"{file.relative_to(SRC.parent)} uses Catch2 past tests/catch.hpp" for file in sorted(TESTS.rglob("*.?pp"))
                if file != TESTS / "catch.hpp" and re.search("catch2/|Catch::", file.read_text(encoding="utf-8"))]
+    lines = lines_of_ways()
+    faults += [f"the ways of src/README.md name files of {lines:,} lines: at most {MOST_LINES:,}"] if lines > MOST_LINES else []
     for fault in faults:
         print(fault)
-    print(f"{len(order)} rooms, {len(defined)} types, {len(faults)} faults")
+    print(f"{len(order)} rooms, {len(defined)} types, {lines:,} lines to read, {len(faults)} faults")
     return 1 if faults or not order else 0
 
 

@@ -148,7 +148,7 @@ TEST_CASE("gzip: one member and nothing after it") {
     CHECK(outcome_at_line("\x1f") == "byte");
 }
 
-TEST_CASE("what this program does not know is unsupported, what is misspelled is rejected") {
+TEST_CASE("what this program does not know is unsupported, what is misspelled is rejected", "[wings]") {
     CHECK(ten_with("certificate 1", "certificate 2", true) == "unsupported 1");
     CHECK(ten_with("certificate 1", "certificate 01", true) == "number 1");
     CHECK(ten_with("certificate 1", "certificate one", true) == "number 1");

@@ -79,7 +79,7 @@ TEST_CASE("together: neither threads nor the order of the files change the verdi
     CHECK(run(all + "1" + quarters.names).out == run(all + "8" + quarters.names).out);
 }
 
-TEST_CASE("together: a file that is not verified is named, with its own exit code") {
+TEST_CASE("together: a file that is not verified is named, with its own exit code", "[wings]") {
     const Quarters quarters;
     const File bad(make::mutated(make::ten(), "upper 4", "upper 3"));
     const Run rejected = run("--together" + quarters.names + " " + bad.path() + " /nonexistent");
