@@ -94,7 +94,7 @@ LeastAndMost counted(double c, double kappa, double r) {
 
 TEST_CASE("L42: the verifier's macro steps count what one collision after the other does") {
     Random random(424);
-    for (int i = 0; i < dumbbell_oracle::trials(40); ++i) {
+    for (int i = 0; i < scaled(40); ++i) {
         const double r = std::pow(10, random.uniform(-11, -9.5)), c = r * random.uniform(0, 4),
                      kappa = r * random.uniform(0, 3);
         const LeastAndMost plain = counted(c, kappa, r);
