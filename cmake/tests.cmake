@@ -61,3 +61,9 @@ endif()
 ]])
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${after_list})
 endfunction()
+
+# dumbbell_add_tool_test(NAME LABEL "TOOL..." COMMAND...): a test that ./run test --all adds, skipped where one of these tools is missing.
+function(dumbbell_add_tool_test name label tools)
+  add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/with_tools ${tools} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 3600 SKIP_RETURN_CODE 77)
+endfunction()

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -11,16 +10,10 @@
 #include "draw.hpp"
 #include "exact.hpp"
 #include "layers.hpp"
+#include "scale.hpp"
 
 /// The attack: many adversarial arguments of one function, each result held against the exact range.
 namespace dumbbell_test {
-
-/// Samples fit a few seconds. DUMBBELL_INTERVAL_SCALE=40 in the environment draws forty times as many.
-inline long samples(long count) {
-    const char* scale = std::getenv("DUMBBELL_INTERVAL_SCALE");
-    const long factor = scale == nullptr ? 1 : std::atol(scale);
-    return factor > 1 ? count * factor : count;
-}
 
 /// The results of one function of one layer, by the excess of the worse end: 0 units in the last place, 1,
 /// up to 16, more, unbounded.
@@ -118,7 +111,7 @@ Tally attack(const char* function, std::uint64_t seed, const Body& body) {
     Tally all;
     for (const int bits : precisions<L>()) {
         const WorkingBits scope(bits);
-        const long count = samples(25'000) / static_cast<long>(precisions<L>().size());
+        const long count = scaled(6'000) / static_cast<long>(precisions<L>().size());
         for (long i = 0; i < count; ++i) {
             body(all, random, bits);
         }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kernels_test.sh PROJECT: proofs/kernels/check refuses the source if one place of it is spoiled. With DUMBBELL_INTERVAL_SCALE in
-# the environment all places are tried, otherwise every third.
+# kernels_test.sh PROJECT: proofs/kernels/check refuses the source if one place of it is spoiled. From DUMBBELL_TEST_SCALE=20 on
+# all places are tried, otherwise every twelfth, from the third on.
 set -uo pipefail
 project=$1
 folder=$(mktemp -d)
@@ -14,7 +14,7 @@ tried=0
 refused() {
     local text
     places=$((places + 1))
-    [[ -n ${DUMBBELL_INTERVAL_SCALE-} || $((places % 3)) == 1 ]] || return 0
+    ((${DUMBBELL_TEST_SCALE-1} >= 20 || places % 12 == 3)) || return 0
     tried=$((tried + 1))
     cp "$project"/src/number/{elementary.cpp,sine_kernel.hpp} "$folder/src/number/"
     cp "$project/src/verify/core/interval.hpp" "$folder/src/verify/core/"

@@ -26,7 +26,7 @@ double hard_ratio(Sampler& sampler, double greatest) {
 
 TEST_CASE("L21: the two tangent counts are monotone along the bridge, k0 and 1 + k1 at its ends") {
     Sampler sampler(1, 802);
-    for (int i = 0; i < trials(150); ++i) {
+    for (int i = 0; i < scaled(150); ++i) {
         const double ratio = hard_ratio(sampler, 1e3);
         const Digits80 r = 1 / Digits80(ratio);
         const auto [k0, k1] = theorem(Digits80(ratio));

@@ -33,7 +33,7 @@ Real size_constant() {
 TEST_CASE("L31: a collision turns the angle by 2 atan(h / w), and hits stay gamma away from pi/2") {
     Sampler sampler(1, 821);
     int turned = 0;
-    for (int i = 0; i < trials(400); ++i) {
+    for (int i = 0; i < scaled(400); ++i) {
         const Real ratio = sampler.coin() ? random_ratio(sampler, 1e5) : sampler.uniform(2.55, 30);
         const Real r = 1 / ratio;
         const Real h = std::sqrt(r);

@@ -37,7 +37,7 @@ Case random_case(Sampler& sampler) {
 TEST_CASE("L12: tangent bound, upper bound, strict miss, and cosine and sine near a point") {
     Sampler sampler(1, 307);
     int misses = 0;
-    for (int i = 0; i < trials(200'000); ++i) {
+    for (int i = 0; i < scaled(200'000); ++i) {
         const Case at = random_case(sampler);
         const Real c = at.c;
         const Real kappa = at.kappa;

@@ -24,7 +24,7 @@ State<Real> incoming(const Dumbbell<Real>& body, Real phi, Real s, Real yhat) {
 
 TEST_CASE("L61: the height of the section does not matter, but for a shear") {
     std::mt19937_64 engine(61);
-    for (int i = 0; i < trials(3000); ++i) {
+    for (int i = 0; i < scaled(3000); ++i) {
         const Dumbbell<Real> body(std::exp(uniform(engine, 0, 7)));
         const Real phi = uniform(engine, 0, 6.28), s = uniform(engine, -0.99, 0.99),
                    rise = uniform(engine, 0, 3);
@@ -39,7 +39,7 @@ TEST_CASE("L61: the height of the section does not matter, but for a shear") {
 
 TEST_CASE("L61: the mirror image has as many collisions") {
     std::mt19937_64 engine(62);
-    for (int i = 0; i < trials(3000); ++i) {
+    for (int i = 0; i < scaled(3000); ++i) {
         const Dumbbell<Real> body(std::exp(uniform(engine, 0, 7)));
         const Real phi = uniform(engine, 0, 6.28), s = uniform(engine, -0.99, 0.99);
         const auto one = simulate(body, incoming(body, phi, s, 2));
@@ -55,7 +55,7 @@ TEST_CASE("L61: a gas of dumbbells arrives evenly in phi and in s, with any hori
     constexpr int cells = 5;
     std::array<int, cells * cells> found{};
     int arrived = 0;
-    while (arrived < trials(200'000)) {
+    while (arrived < scaled(200'000)) {
         // Velocities of one kinetic energy in the metric (x, psi, z), all equally likely; heights up to as
         // far as any of them falls in the time 1; angles anywhere.
         const Real x = normal(engine), spin = normal(engine), fall = normal(engine);

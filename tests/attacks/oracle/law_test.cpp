@@ -42,7 +42,7 @@ D defect(const law::Step<D>& s, bool by_angle) {  // 2 eps D
 
 TEST_CASE("L43, L44: a step in the middle of two kicks, the invariants, and that J falls") {
     Sampler sampler(1, 4301);
-    for (int i = 0; i < trials(200); ++i) {
+    for (int i = 0; i < scaled(200); ++i) {
         const auto s = i % 3 == 0 ? bulk_state(sampler) : layer_state(sampler);
         const D kappa = s.eps * tan(s.th);
         // Flight and reflection as L4 has them, from contact u.
@@ -122,7 +122,7 @@ TEST_CASE("L49: the derivatives of G, and the interval factors") {
 
 TEST_CASE("L49: the defect in the layer, and the sizes of A") {
     Sampler sampler(1, 4901);
-    for (int i = 0; i < trials(60); ++i) {
+    for (int i = 0; i < scaled(60); ++i) {
         const auto s = layer_state(sampler);
         const Layer all = layer(s.U, s.rho, s.Q);
         const D cube = s.d * s.d * s.d;
@@ -145,7 +145,7 @@ TEST_CASE(
     Sampler sampler(1, 5601);
     int tried = 0;
     D greatest_drift = 0, least = 9, greatest = -9;
-    for (int i = 0; i < trials(400); ++i) {
+    for (int i = 0; i < scaled(400); ++i) {
         const D U = sampler.coin() ? sampler.uniform(0.01, 0.9) : sampler.log_uniform(1e-5, 0.9);
         const D rho = sampler.coin() ? sampler.uniform(0.001, 0.2) : sampler.log_uniform(1e-5, 0.2);
         const D share = sampler.coin() ? D(sampler.coin() ? 1 : -1) : D(sampler.uniform(-1, 1));
@@ -253,7 +253,7 @@ TEST_CASE("L51: the defect in the bulk") {
         return D(pi<D>() / (j * sqrt(pi<D>() * pi<D>() - j * j)) -
                  integral<D>([&](const D& t) { return D(sin(j / cos(t)) / pow(cos(t), 2)); }, x, end_of(j)));
     };
-    for (int i = 0; i < trials(40); ++i) {
+    for (int i = 0; i < scaled(40); ++i) {
         const auto s = bulk_state(sampler);
         const D alpha = s.th - s.beta, alpha_v = s.th + s.beta_v;
         const D A = s.j - s.Q, A_v = s.j_v - s.Q;
@@ -292,7 +292,7 @@ TEST_CASE(
     const D fall[] = {2.1, 6.2, 22.7};
     std::array<D, 3> seen{0, 0, 0};
     D farthest = 0;
-    for (int i = 0; i < trials(300); ++i) {
+    for (int i = 0; i < scaled(300); ++i) {
         const int range = i % 3;
         const D from = ends[range], to = ends[range + 1];
         const D eps = sampler.coin() ? D(0.001) : D(sampler.log_uniform(1e-9, 1e-3));
@@ -315,7 +315,7 @@ TEST_CASE(
 
 TEST_CASE("L52: the end, and its limit k0") {
     Sampler sampler(1, 5201);
-    for (int i = 0; i < trials(40); ++i) {
+    for (int i = 0; i < scaled(40); ++i) {
         const D d = i == 0 ? D("1e-20") : D(sampler.log_uniform(1e-8, 0.09));
         const D f = pi<D>() - d;
         const D Q = pi<D>() / 2 + (i == 0 ? D(0) : D(d * sampler.uniform(-0.02, 0.3)));

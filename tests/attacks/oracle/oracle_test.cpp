@@ -83,7 +83,7 @@ Real lowest_between(const Dumbbell<Real>& body, const State<Real>& from, Real du
 
 TEST_CASE("L0: impulse on the touching mass, law (4) of the paper and law (1) agree") {
     Sampler sampler(1, 101);
-    for (int i = 0; i < trials(100'000); ++i) {
+    for (int i = 0; i < scaled(100'000); ++i) {
         const double ratio = random_ratio(sampler, 1e9);
         const Dumbbell<Real> body(ratio);
         const Mass mass = sampler.coin() ? Mass::light : Mass::heavy;
@@ -105,7 +105,7 @@ TEST_CASE("L0: impulse on the touching mass, law (4) of the paper and law (1) ag
 
 TEST_CASE("the simulation never lets a mass through the floor, and keeps the energy") {
     Sampler seeds(1, 102);
-    for (int i = 0; i < trials(4'000); ++i) {
+    for (int i = 0; i < scaled(4'000); ++i) {
         const double ratio = random_ratio(seeds, 1e4);
         Sampler sampler(ratio, static_cast<std::uint64_t>(i));
         const Dumbbell<Real> body(ratio);
@@ -134,7 +134,7 @@ TEST_CASE("the simulation never lets a mass through the floor, and keeps the ene
 
 TEST_CASE("running a trajectory backwards from its end repeats it") {
     Sampler seeds(1, 103);
-    for (int i = 0; i < trials(4'000); ++i) {
+    for (int i = 0; i < scaled(4'000); ++i) {
         const double ratio = random_ratio(seeds, 1e3);
         Sampler sampler(ratio, static_cast<std::uint64_t>(i));
         const Dumbbell<Real> body(ratio);
@@ -161,7 +161,7 @@ TEST_CASE("the chart coordinates of a collision stand for the same trajectory") 
     Sampler seeds(1, 104);
     int bridges = 0;
     int lights = 0;
-    for (int i = 0; i < trials(6'000); ++i) {
+    for (int i = 0; i < scaled(6'000); ++i) {
         const double ratio = random_ratio(seeds, 1e3);
         Sampler sampler(ratio, static_cast<std::uint64_t>(i));
         const Dumbbell<Real> body(ratio);
@@ -190,7 +190,7 @@ TEST_CASE("the chart coordinates of a collision stand for the same trajectory") 
 
 TEST_CASE("L1, L2, L3, L6: no return, one cell, turning, steep rays leave, one bridge contact") {
     Sampler seeds(1, 105);
-    for (int i = 0; i < trials(70'000); ++i) {
+    for (int i = 0; i < scaled(30'000); ++i) {
         const double ratio = random_ratio(seeds, i % 50 == 0 ? 1e5 : 300);
         Sampler sampler(ratio, static_cast<std::uint64_t>(i));
         const Dumbbell<Real> body(ratio);

@@ -58,7 +58,7 @@ std::optional<OverBridge> over_bridge(const Dumbbell<Real>& body, const State<Re
 TEST_CASE("Lemma 4.2: behind the top of the bridge (8) has the other sign, and the angles still fall") {
     Sampler sampler(1, 4201);
     int behind = 0, before_top = 0;
-    for (int i = 0; i < trials(5000); ++i) {
+    for (int i = 0; i < scaled(5000); ++i) {
         const Dumbbell<Real> body(sampler.uniform(3, 300));
         const BridgeState<Real> at{sampler.uniform(0.01, 1.5), sampler.log_uniform(1e-3, 2)};
         const State<Real> left = contact_of(body, at).after;
@@ -89,7 +89,7 @@ TEST_CASE("Remark 3.4: between two bounces the light mass travels 2 I/|phidot|, 
     for (const Real delta : {0.03L, 0.01L, 0.003L}) {
         const Dumbbell<Real> body(1 / (delta * delta) - 1);
         Real worst = 0;
-        for (int i = 0; i < trials(150); ++i) {
+        for (int i = 0; i < scaled(150); ++i) {
             const Real u = sampler.uniform(0.3, 1.5), s = sampler.uniform(0, 1);
             const State<Real> before{3 * pi<Real>() / 2 + u, -1, body.beta2() * std::cos(u), -delta * s};
             const State<Real> after = body.bounce(Mass::light, before);

@@ -105,7 +105,7 @@ double steepness_of(const State<long double>& s) { return static_cast<double>(s.
 
 TEST_CASE("L70: masses between the contacts have Q rho >= 1, and rods the stated numbers") {
     Sampler sampler(1, 7001);
-    for (int i = 0; i < trials(2'000); ++i) {
+    for (int i = 0; i < scaled(2'000); ++i) {
         const double q = sampler.log_uniform(1, 100), mu = sampler.log_uniform(1e-4, 100);
         std::vector<std::array<double, 2>> parts{{0, 1 / (1 + q)}, {1, q / (1 + q)}};  // place and mass
         constexpr int slices = 2000;
@@ -125,7 +125,7 @@ TEST_CASE("L70: masses between the contacts have Q rho >= 1, and rods the stated
 TEST_CASE("L71: after a contact with the bridge a ray goes on by E and P, wherever it is") {
     Sampler sampler(1, 7002);
     int back = 0, again = 0;
-    for (int i = 0; i < trials(5'000); ++i) {
+    for (int i = 0; i < scaled(5'000); ++i) {
         const Numbers n = random_numbers(sampler, false);
         const auto body = n.body<long double>();
         const double t = sampler.uniform(0, half_turn), s = std::cos(t);
@@ -147,7 +147,7 @@ TEST_CASE("L71: after a contact with the bridge a ray goes on by E and P, wherev
 
 TEST_CASE("L74: the two rays of a contact with the bridge") {
     Sampler sampler(1, 7003);
-    for (int i = 0; i < trials(2'000); ++i) {
+    for (int i = 0; i < scaled(2'000); ++i) {
         const Numbers n = random_numbers(sampler, false);
         const auto body = n.body<long double>();
         const double e = sampler.uniform(0, half_turn / 2), s = std::cos(e),
@@ -167,7 +167,7 @@ TEST_CASE(
     "than twice as many") {
     Sampler sampler(1, 7004);
     int tight = 0, beyond = 0;
-    for (int i = 0; i < trials(20'000); ++i) {
+    for (int i = 0; i < scaled(20'000); ++i) {
         const bool symmetric = sampler.coin();
         Numbers n = random_numbers(sampler, symmetric);
         if (symmetric && sampler.coin()) n.q = tie(std::round(sampler.uniform(2, 7)));
@@ -190,7 +190,7 @@ TEST_CASE(
 TEST_CASE(
     "L73: close to the corner of any body as many collisions occur as the corner goes into a half turn") {
     Sampler sampler(1, 7005);
-    for (int i = 0; i < trials(30); ++i) {
+    for (int i = 0; i < scaled(12); ++i) {
         const Numbers n = random_numbers(sampler, false);
         const std::size_t corner = whole_from(half_turn / n.corner());
         if (corner > 12 || std::abs(half_turn / n.corner() - std::round(half_turn / n.corner())) < 0.02)

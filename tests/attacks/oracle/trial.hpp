@@ -2,24 +2,16 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 
 #include "sampler.hpp"
 #include "scalar.hpp"
+#include "scale.hpp"
 
 namespace dumbbell_oracle {
 
 using Real = long double;
-
-// Sample counts fit a few seconds. DUMBBELL_ORACLE_SCALE=20 in the environment makes every run 20 times as
-// long.
-[[nodiscard]] inline int trials(int count) {
-    const char* scale = std::getenv("DUMBBELL_ORACLE_SCALE");
-    const int factor = scale == nullptr ? 1 : std::atoi(scale);
-    return factor > 1 ? count * factor : count;
-}
 
 // One message with every number in full: a failure must be reproducible from its text.
 template <class... T>

@@ -61,7 +61,7 @@ def measured(group, folder, places, mutants):
     for name, command, case in list_tests(group, folder, places):
         with open(path, "wb") as file:
             file.write(bytes(mutants + 1))
-        environment = dict(os.environ, DUMBBELL_REACHED=path, TMPDIR=str(places["tmp"]))
+        environment = dict(os.environ, DUMBBELL_REACHED=path, DUMBBELL_TEST_SCALE="1", TMPDIR=str(places["tmp"]))
         start = time.monotonic()
         if not run(with_cases(command, [case]), environment, 600):
             raise SystemExit(f"fails without any mutant: {name}")
@@ -89,15 +89,15 @@ def batches(tests, number):
         yield batch
 
 
-def noticed(tests, number, places):
+def noticed(tests, number, places, scale=1):
     """(what noticed the mutant, the seconds that it took): "" if nothing did, although tests come by it,
-    None if none does."""
+    None if none does. `scale`: how much the tests try."""
     start = time.monotonic()
-    environment = dict(os.environ, DUMBBELL_MUTANT=str(number), TMPDIR=str(places["tmp"]))
+    environment = dict(os.environ, DUMBBELL_MUTANT=str(number), DUMBBELL_TEST_SCALE=str(scale), TMPDIR=str(places["tmp"]))
     by = None
     for batch in batches(tests, number):
         command = with_cases(batch[0].command, [test.case for test in batch])
-        passed = run(command, environment, sum(test.seconds for test in batch))
+        passed = run(command, environment, scale * sum(test.seconds for test in batch))
         if not passed:
             program = os.path.basename(batch[0].command[0])
             return ("time" if passed is None else program), time.monotonic() - start

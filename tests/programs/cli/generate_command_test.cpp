@@ -65,19 +65,6 @@ TEST_CASE("what is said of the verifier is where its options are, and its own he
     CHECK_THAT(verify->text, Contains("dumbbell verify --help, or man dumbbell-verify"));
 }
 
-TEST_CASE("groff finds nothing wrong with the man pages") {
-    const TemporaryFolder folder;
-    write_file(folder / "dumbbell.1", generated("man"));
-    write_file(folder / "dumbbell-verify.1", verifier({"--man"}).out);
-    for (const std::string& page : {folder / "dumbbell.1", folder / "dumbbell-verify.1"}) {
-        const Outcome set = run({"groff", "-ww", "-man", "-Tutf8", "-P-cbou", page});
-        CAPTURE(page);
-        CHECK(set.code == 0);
-        CHECK(set.err.empty());
-        CHECK_THAT(set.out, Contains("EXIT STATUS"));
-    }
-}
-
 TEST_CASE("bash completes commands, and hides the one that is for packagers", "[wings]") {
     CHECK(offered({"dumbbell", "cert"}) == Words{"certify"});
     CHECK(offered({"dumbbell", "plot", "sta"}) == Words{"staircase"});

@@ -217,6 +217,8 @@ expect "CI: passed, but for what could not be had" is "$code $(tail -n 1 <<< "$o
 expect "CI: the tests come first" is "$(head -c 4 "$ci/calls")" test
 run_in "$ci" env PATH="$ci/bin:$PATH" FAKE_PYTHON=1 FAKE_TEST=fail .ci/run
 expect "CI: two failures, one of a test" is "$code $(tail -n 1 <<< "$out")" "1 11 passed, 2 failed, 1 skipped"
+expect "CI: a test that was skipped to the end is a failure" \
+    has "$(PATH=$ci/bin:$PATH FAKE_PYTHON=0 FAKE_TEST=notrun "$ci/.ci/run" 2>&1)" "FAILED: cli/c d, which was skipped"
 expect "CI: the failures by name" has "$out" $'FAILED: the module for Python\nFAILED: cli/c d\n'
 
 # A moved project

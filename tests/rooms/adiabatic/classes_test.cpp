@@ -1,6 +1,7 @@
 #include "adiabatic/classes.hpp"
 
 #include "catch.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::adiabatic;
@@ -19,8 +20,12 @@ Hypotheses run_at(const Rational& lo, const Rational& hi) {
 
 TEST_CASE(
     "Classes are what the format allows: J above 2 pi/sqrt(65), cells from 11/7 down, past the margin") {
-    for (const auto& of : {run_at(Rational(1, 100), Rational(1, 100)), run_at(Rational(0), Rational(1, 100)),
-                           run_at(Rational(1, 10), Rational(1, 10))}) {
+    std::vector<Hypotheses> all{run_at(Rational(1, 10), Rational(1, 10))};
+    if (scaled(1) >= 20) {
+        all.push_back(run_at(Rational(1, 100), Rational(1, 100)));
+        all.push_back(run_at(Rational(0), Rational(1, 100)));
+    }
+    for (const auto& of : all) {
         const auto classes = guess_classes(of);
         REQUIRE_FALSE(classes.empty());
         CHECK(classes.size() <= 64);
@@ -43,7 +48,9 @@ TEST_CASE(
 
 TEST_CASE("However near the vertical a margin is, the cells are as many as can be looked at, and decrease") {
     Hypotheses of = run_at(Rational(1, 100), Rational(1, 100));
-    for (const char* margin : {"1e-5", "1e-300", "1e-900"}) {
+    std::vector<const char*> margins{"1e-5"};
+    if (scaled(1) >= 20) margins.insert(margins.end(), {"1e-300", "1e-900"});
+    for (const char* margin : margins) {
         of.margin = parse_rational(margin);
         for (const Class& one : guess_classes(of)) {
             CHECK(one.cells.size() < 300);

@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "dumbbell/certify.hpp"
+#include "dumbbell/starts.hpp"
 #include "temporary_folder.hpp"
 
 using namespace dumbbell::api;
@@ -13,7 +14,11 @@ using dumbbell_test::TemporaryFolder;
 
 namespace {
 const std::string ten = DUMBBELL_CERTIFICATES "/q-10.dbc";
+/// Of another kind than a claim is by default.
+std::string starts_certificate() {
+    return certify_starts(MassRatio("10"), {"1/3", "1", "3", "-1/2"}, {.boxes = 10}).certificate;
 }
+}  // namespace
 
 TEST_CASE("What the prover proves, the verifier verifies") {
     const TemporaryFolder folder;
@@ -59,9 +64,9 @@ TEST_CASE("Every other verdict has its name") {
 TEST_CASE("Without a ratio in the claim the file's own is meant, without a kind its own, too") {
     CHECK(verify(ten, {.most = 4, .least = 4}));
     CHECK(!verify(ten, {.most = 3}));
-    const std::string law = DUMBBELL_CERTIFICATES "/law.dbc.gz";
-    CHECK(verify(law, {.kind = ""}));
-    CHECK(!verify(law, {}));
+    const std::string of_starts = starts_certificate();
+    CHECK(verify_text(of_starts, {.kind = ""}));
+    CHECK(!verify_text(of_starts, {}));
 }
 
 TEST_CASE("Without a bound in the claim any will do, and a file without one is open") {
@@ -95,7 +100,7 @@ TEST_CASE("What the members of a claim say may be said in the words of the progr
     const std::string coin = DUMBBELL_CERTIFICATES "/coin.dbc";
     CHECK(verify(coin, {.least = 3, .demand = "--rho=1 --inertia 4"}));
     CHECK(!verify(coin, {.ratio = "4", .most = 4}));
-    CHECK(verify(DUMBBELL_CERTIFICATES "/law.dbc.gz", {.demand = "--claim law"}));
+    CHECK(verify_text(starts_certificate(), {.demand = "--claim initial-conditions"}));
     for (const Claim& claim :
          {Claim{.most = 4, .demand = "--max 4"}, Claim{.kind = "collisions", .demand = "--claim law"},
           Claim{.demand = "--gap 1e-6 --jobs 2"}, Claim{.demand = "ten"}, Claim{.demand = "--gap"},

@@ -5,6 +5,7 @@
 #include "collisions/certify.hpp"
 #include "collisions/writer.hpp"
 #include "reference.hpp"
+#include "scale.hpp"
 #include "temporary_folder.hpp"
 
 using namespace dumbbell;
@@ -63,7 +64,7 @@ TEST_CASE(
 
 TEST_CASE("On the edge, without mass between the contacts, bodies have what dumbbells have") {
     Choices choices(463);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < scaled(5); ++i) {
         const Rational q = exact(choices.log_uniform(1.01, 20));
         CertifyRequest dumbbell;
         dumbbell.claim.range = {q, q};

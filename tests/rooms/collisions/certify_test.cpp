@@ -61,7 +61,7 @@ TEST_CASE("single ratios get the number of the recomputation in 80 digits") {
 }
 
 TEST_CASE("on both sides of critical ratios, at 1e-4 to 1e-12, the single ratio is decided") {
-    for (const long n : {4L, 5L, 6L, 7L, 29L, 30L}) {
+    for (const long n : steps({4, 5, 30}, {6, 7, 29})) {
         for (const char* distance : {"1e-4", "1e-6", "1e-9", "1e-12"}) {
             CAPTURE(n, distance);
             const Rational below = critical_ratio(n) * (1 - at(distance));
@@ -148,8 +148,9 @@ TEST_CASE("ratios beyond those that are tried are left open at once") {
 }
 
 TEST_CASE("pieces and gaps high up are decided, on both sides of a step") {
+    using Range = std::tuple<const char*, const char*, long>;
     for (const auto& [lo, hi, n] :
-         {std::tuple("1e12", "1000003000000", 885'597L), std::tuple("1e18", "1000000002e9", 885'595'131L)}) {
+         steps<Range>({{"1e12", "1000003000000", 885'597}}, {{"1e18", "1000000002e9", 885'595'131}})) {
         CAPTURE(lo);
         const auto pieces = certified(at(lo), at(hi));
         REQUIRE(pieces.size() == 3);

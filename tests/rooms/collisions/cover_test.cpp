@@ -61,7 +61,7 @@ TEST_CASE("both charts close with the true maximum, and the tree is complete and
 }
 
 TEST_CASE("both charts close on either side of a critical ratio, at distances from 1e-4 to 1e-9") {
-    for (const long n : {4L, 5L, 6L, 7L, 8L, 9L, 20L, 31L, 100L}) {
+    for (const long n : steps({4, 5, 8, 31}, {6, 7, 9, 20, 100})) {
         for (const char* distance : {"1e-4", "1e-6", "1e-9"}) {
             const Rational d = parse_rational(distance);
             const Rational below = critical_ratio(n) * (1 - d);
@@ -74,7 +74,7 @@ TEST_CASE("both charts close on either side of a critical ratio, at distances fr
 
 TEST_CASE("a range of ratios closes with one value between two critical ratios, and only there") {
     const Rational margin = parse_rational("1e-6");
-    for (const long n : {4L, 5L, 6L, 7L, 12L, 13L, 40L}) {
+    for (const long n : steps({4, 5, 12}, {6, 7, 13, 40})) {
         const Rational lo = critical_ratio(n) * (1 + margin);
         const Rational hi = critical_ratio(n + 1) * (1 - margin);
         check_closes(lo, hi, n);
@@ -101,7 +101,7 @@ TEST_CASE("the whole is closed in higher precision just below the place where do
 
 TEST_CASE("few leaves of a range's cover count: a box is split in the axis that keeps it open") {
     const Rational near = parse_rational("1e-6");
-    for (const long n : {5L, 6L, 21L, 22L}) {
+    for (const long n : steps({5, 22}, {6, 21})) {
         const auto tree = cover<Interval>(Chart::light, critical_ratio(n) * (1 + near),
                                           critical_ratio(n + 1) * (1 - near), n, CoverOptions{});
         REQUIRE(tree.has_value());

@@ -4,10 +4,21 @@
 #include <array>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "reference.hpp"
+#include "scale.hpp"
 
 namespace dumbbell_test {
+
+// What is tried: the sharpest, and from scale 20 on the others, too.
+template <class T = long>
+std::vector<T> steps(std::vector<T> sharpest, const std::vector<T>& others) {
+    if (scaled(1) >= 20) {
+        sharpest.insert(sharpest.end(), others.begin(), others.end());
+    }
+    return sharpest;
+}
 
 // A decimal within 1e-60 (relative) of q_c(n), n >= 4.
 inline Rational critical_ratio(long n) {

@@ -10,14 +10,14 @@ using namespace dumbbell_test;
 
 namespace {
 
-std::vector<Rational> thirty_ratios() {
+std::vector<Rational> hard_ratios() {
     std::vector<Rational> ratios;
     for (const char* text :
-         {"1.0000001", "1.1", "2",  "3",  "4.6", "4.61", "9/2", "10",   "11.36", "11.37",
-          "12",        "20",  "25", "50", "100", "137",  "400", "1000", "5000",  "10000"}) {
+         steps<const char*>({"1.0000001", "1.1", "3", "4.6", "4.61", "10", "11.36", "11.37", "100"},
+                            {"2", "9/2", "12", "20", "25", "50", "137", "400", "1000", "5000", "10000"})) {
         ratios.push_back(parse_rational(text));
     }
-    for (const long n : {4L, 5L, 6L, 9L, 30L}) {
+    for (const long n : steps({4, 5, 9}, {6, 30})) {
         ratios.push_back(critical_ratio(n) * (1 - parse_rational("1e-6")));
         ratios.push_back(critical_ratio(n) * (1 + parse_rational("1e-6")));
     }
@@ -31,10 +31,8 @@ bool closes(const Rational& lo, const Rational& hi, long upper, std::size_t max_
 
 }  // namespace
 
-TEST_CASE("the cover fails on N-1 at 30 ratios") {
-    const auto ratios = thirty_ratios();
-    REQUIRE(ratios.size() == 30);
-    for (const Rational& q : ratios) {
+TEST_CASE("the cover fails on N-1 at single ratios") {
+    for (const Rational& q : hard_ratios()) {
         const long n = reference_maximum(q);
         CAPTURE(q, n);
         CHECK_FALSE(closes<Interval>(q, q, n - 1, 2000));
@@ -53,7 +51,7 @@ TEST_CASE("nor does it close with many more boxes, or in higher precision") {
 }
 
 TEST_CASE("the cover fails on N-1 over ranges that reach beyond a critical ratio by 1e-9") {
-    for (const long n : {4L, 5L, 6L, 7L, 8L, 15L, 16L, 50L}) {
+    for (const long n : steps({4, 5, 16}, {6, 7, 8, 15, 50})) {
         const Rational hi = critical_ratio(n) * (1 + parse_rational("1e-9"));
         const Rational lo = critical_ratio(n) * parse_rational("0.99");
         CAPTURE(n);

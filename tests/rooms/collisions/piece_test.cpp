@@ -81,9 +81,10 @@ TEST_CASE("ratios are decided at every distance from a critical one that a certi
 }
 
 TEST_CASE("where threads share the counts of a piece it is the same with any number of them") {
-    const auto proved_with = [](int threads) {
-        const Piece piece = with_threads(
-            threads, [] { return prove_single(parse_rational("1e28"), {.parallel = true}).piece; });
+    const Rational q =
+        scaled(1) >= 20 ? parse_rational("1e28") : find_step(887, 440)->above * (1 + parse_rational("1e-14"));
+    const auto proved_with = [&](int threads) {
+        const Piece piece = with_threads(threads, [&] { return prove_single(q, {.parallel = true}).piece; });
         CHECK(piece.status() == Status::exact);
         CHECK(piece.bits > 53);
         PieceLines lines;
@@ -169,7 +170,7 @@ TEST_CASE("an interrupted piece ends soon, in the middle of an orbit of many mil
         const bool short_orbits = section == Section::turning;
         const std::clock_t start = std::clock();  // of the processor: the machine may be busy
         const auto seconds = [&] { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; };
-        const auto late = [&] { return seconds() > 0.3; };
+        const auto late = [&] { return seconds() > 0.08; };
         const ProvedPiece proved =
             prove_single(exact(short_orbits ? 1e100 : 1e14), {.system = {section}, .interrupted = late});
         CHECK(proved.piece.status() == Status::open);
@@ -183,12 +184,14 @@ TEST_CASE("an interrupted piece stays open") {
     CHECK(prove_single(critical_ratio(7) * (1 - parse_rational("1e-6")), now).piece.status() == Status::open);
 }
 
-TEST_CASE("both sides of a step are decided at a relative distance of 1e-20") {
+TEST_CASE("a step is decided at a relative distance of 1e-20") {
     // Near 10^18, at the digits of `critical 885595132 --digits 20`.
     const long n = 885'595'132;
     const PieceOptions options = piece_options({});
-    const Piece below = prove_single(at("1000000001235988268.9825"), options).piece;
     const Piece above = prove_single(at("1000000001235988269.0026"), options).piece;
-    CHECK((below.lower == n - 1 && below.upper == n - 1));
     CHECK((above.lower == n && above.upper == n));
+    if (scaled(1) >= 20) {
+        const Piece below = prove_single(at("1000000001235988268.9825"), options).piece;
+        CHECK((below.lower == n - 1 && below.upper == n - 1));
+    }
 }

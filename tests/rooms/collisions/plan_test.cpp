@@ -69,13 +69,15 @@ void check_plan(const Rational& lo, const Rational& hi, const Rational& gap) {
 }  // namespace
 
 TEST_CASE("pieces tile the range exactly, are true, and gaps keep the contract's width") {
-    for (const char* gap : {"0.01", "1e-4", "1e-6", "1e-9", "1e-12", "1e-20"}) {
+    for (const char* gap : steps<const char*>({"0.01", "1e-20"}, {"1e-4", "1e-6", "1e-9", "1e-12"})) {
         check_plan(1, 100, at(gap));
         check_plan(at("4.6"), at("4.61"), at(gap));
         check_plan(at("10/3"), at("1000/7"), at(gap));
-        check_plan(1000, 1200, at(gap));
     }
-    check_plan(at("9900"), at("10000"), at("1e-6"));
+    if (scaled(1) >= 20) {
+        check_plan(1000, 1200, at("1e-6"));
+        check_plan(9900, 10000, at("1e-6"));
+    }
 }
 
 TEST_CASE("between two steps there is one piece, across one step three") {
@@ -162,7 +164,8 @@ TEST_CASE("a long range is planned part by part, and from behind any gap as in o
     CHECK(first.steps_beyond > 0);
     const auto whole = whole_plan(1, hi, gap);
     check_tiles(whole, 1, hi);
-    for (std::size_t i = 1; i < whole.size(); i += 2) {  // the pieces with odd numbers are gaps
+    const std::size_t stride = scaled(1) >= 20 ? 2 : 26;
+    for (std::size_t i = 1; i < whole.size(); i += stride) {  // the pieces with odd numbers are gaps
         CAPTURE(i);
         REQUIRE(whole[i].upper == whole[i].lower + 1);
         const auto rest = plan_staircase({.range = {1, hi}, .gap = gap}, whole[i].q_hi).pieces;

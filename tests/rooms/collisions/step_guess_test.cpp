@@ -47,7 +47,7 @@ TEST_CASE("the guesses increase") {
 }
 
 TEST_CASE("a step of short orbits is as near to the true one as it was asked for") {
-    for (const long n : {4L, 5L, 6L, 33L, 34L, 1000L}) {
+    for (const long n : steps({4, 5, 34}, {6, 33, 1000})) {
         for (const int share_bits : {24, 53, 120, 150}) {
             CAPTURE(n, share_bits);
             const auto step = find_step(n, share_bits);

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "file/atomic_file.hpp"
 #include "programs/cli/process.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::critical;
@@ -50,14 +51,14 @@ TEST_CASE("a table of critical ratios is read, plain or compressed, and is certa
 
 TEST_CASE("tables of any digits are read and are certain, as they are written") {
     for (const int digits : {1, 2, 3, 15, 60}) {
-        for (const long first : {3L, 40L, 900L}) {
+        for (const long first : scaled(1) < 20 ? std::vector{3L, 40L} : std::vector{3L, 40L, 900L}) {
             CAPTURE(digits, first);
             const Report read = read_text(table(first, first + 9, digits));
             CHECK(read.request.digits == digits);
             CHECK(objection(read, never).empty());
         }
     }
-    const Report long_ones = read_text(table(20'000, 20'002, 15));
+    const Report long_ones = read_text(table(20'000, scaled(1) < 20 ? 20'001 : 20'002, 15));
     CHECK(objection(long_ones, never).empty());
 }
 

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "reference.hpp"
 #include "rooms/number/random.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -56,7 +57,7 @@ TEST_CASE("L19: slopes below r come back exactly where P is negative") {
     // Rays that are no contact's: steeper downwards than the bridge anywhere.
     Random random(1902);
     int below = 0, above = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < scaled(5'000); ++i) {
         const Real r(random.scaled(1e-4, 1));
         const auto found = comes_back(Real(random.uniform(0, 1)), Real(random.uniform(-5, 1)), r);
         if (found && abs(found->slope - r) > 1e-30) {

@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "rays.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -39,13 +40,14 @@ DoubleRay raised(Random& random, const DoubleRay& ray) {
 
 }  // namespace
 
-TEST_CASE("Both counts bound the true number of collisions for 20,000 rays, and meet away from grazing") {
+TEST_CASE("Both counts bound the true number of collisions, and meet away from grazing") {
     Random random(111);
+    const long rays = scaled(4'000);
     int equal = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < rays; ++i) {
         equal += check_counts<Interval, Real>(random_ray(random, 1e-3), 1e-9) ? 1 : 0;
     }
-    CHECK(equal > 17'000);
+    CHECK(equal > rays * 17 / 20);
 }
 
 TEST_CASE("Grazing rays at margins of 1e-3 to 1e-17 on both sides are never miscounted") {
@@ -114,7 +116,7 @@ TEST_CASE("More bits decide rays that graze too closely for doubles") {
 
 TEST_CASE("The upper count holds for every ray above, the lower count for every ray below") {
     Random random(116);
-    for (int i = 0; i < 6'000; ++i) {
+    for (int i = 0; i < scaled(2'000); ++i) {
         const DoubleRay low = random_ray(random, 1e-3);
         const DoubleRay high = raised(random, low);
         const long upper = count_at_most(as<Interval>(low), count_cap);

@@ -10,6 +10,7 @@
 #include "reference.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
+#include "scale.hpp"
 
 /// Boxes of departures from R to the left, and what the simulated dumbbell (tests/attacks/oracle: impulses on
 /// two masses, no formula in common) does from their states.

@@ -4,6 +4,7 @@
 #include "orbit_reference.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -60,19 +61,19 @@ Box random_box(Random& random) {
 TEST_CASE("Over a range of ratios the orbits after the turning collision are enclosed") {
     Random random(191);
     int enclosed = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < scaled(100); ++i) {
         enclosed += check_box<Interval>(random, random_box(random), 4, 0) ? 1 : 0;
     }
-    CHECK(enclosed > 100);
+    CHECK(enclosed > scaled(25));
 }
 
 TEST_CASE("Over a range of ratios the orbits before the turning collision are enclosed") {
     Random random(192);
     int enclosed = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < scaled(100); ++i) {
         enclosed += check_box<Interval>(random, random_box(random), 0, 4) ? 1 : 0;
     }
-    CHECK(enclosed > 100);
+    CHECK(enclosed > scaled(25));
 }
 
 TEST_CASE(

@@ -4,6 +4,7 @@
 #include "orbit_reference.hpp"
 #include "rooms/number/random.hpp"
 #include "rooms/number/show.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -141,12 +142,12 @@ TEST_CASE("An orbit's enclosure in doubles holds every collision, and each obeys
     Random random(181);
     std::size_t longest = 0;
     int enclosed = 0;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < scaled(150); ++i) {
         const std::size_t size = check_orbit<Interval>(random_case(random), 6);
         enclosed += size > 0 ? 1 : 0;
         longest = std::max(longest, size);
     }
-    CHECK(enclosed > 380);
+    CHECK(enclosed > scaled(142));
     CHECK(longest >= 8);
 }
 
@@ -167,11 +168,11 @@ TEST_CASE(
     "collision") {
     Random random(183);
     int enclosed = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < scaled(120); ++i) {
         const PrecisionScope scope(20 + random.below(21));
         enclosed += check_orbit<BigInterval>(random_case(random), 3, false) > 0 ? 1 : 0;
     }
-    CHECK(enclosed > 200);
+    CHECK(enclosed > scaled(80));
 }
 
 TEST_CASE("Collisions that are not certain give no orbit") {

@@ -3,6 +3,7 @@
 #include "catch.hpp"
 #include "flight/chart.hpp"
 #include "rays.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -96,7 +97,7 @@ TEST_CASE("Ascending rays are bounded over the ratio by their own ends") {
 
 TEST_CASE("Descending rays are bounded over the ratio by the state after their first collision") {
     Random random(162);
-    for (int i = 0; i < 8'000; ++i) {
+    for (int i = 0; i < scaled(2'000); ++i) {
         check_sample<Interval>(random, random_ratio_sample(random, true));
     }
 }

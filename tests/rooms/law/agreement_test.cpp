@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "collisions/piece.hpp"
 #include "law/at_ratio.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -74,7 +75,7 @@ TEST_CASE("the law agrees with covers at ratios of all sizes, and decides all bu
     }
     std::mt19937_64 random(20);
     std::uniform_real_distribution<double> exponent(6, 12);
-    for (int i = 0; i < 150; ++i) {
+    for (long i = 0; i < scaled(10); ++i) {
         const Rational q = exact(std::pow(10, exponent(random)));
         const AtRatio at = at_ratio(q);
         check_agreement(q, at.lower == at.upper);
@@ -112,7 +113,7 @@ TEST_CASE(
 TEST_CASE("the law agrees with covers a hundredth of a step away from steps, up to N = 10^6") {
     std::mt19937_64 random(22);
     std::uniform_real_distribution<double> exponent(4, 6);
-    for (int i = 0; i < 25; ++i) {
+    for (long i = 0; i < scaled(5); ++i) {
         const auto n = std::lround(std::pow(10, exponent(random)));
         CAPTURE(n);
         CHECK(check_agreement(edge(n, false, -0.01), true) == n - 1);

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "critical/enclose.hpp"
 #include "law/constants.hpp"
+#include "scale.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::collisions;
@@ -61,12 +62,13 @@ TEST_CASE("the law reaches as far as one can write ratios") {
     CHECK(at_ratio(parse_rational("1e200")).lower.str() ==
           "88559512945271391141202194891455767300579529460285208340726080557816077824860635006196282336302454"
           "06");
+    const AtRatio third = at_ratio(parse_rational("1e300") / 3);
+    CHECK(third.lower == third.upper);
+    if (scaled(1) < 20) return;  // 1,000 digits take a second
     const AtRatio greatest = at_ratio(parse_rational("1e1000"));
     CHECK(greatest.lower == greatest.upper);
     CHECK(greatest.lower.str().starts_with("8855951294527139114120219489145576730057952946028520834"));
     CHECK(greatest.lower.str().size() == 500);
-    const AtRatio third = at_ratio(parse_rational("1e300") / 3);
-    CHECK(third.lower == third.upper);
 }
 
 TEST_CASE("critical ratios by the law contain those of the orbits, and are as narrow as it says") {

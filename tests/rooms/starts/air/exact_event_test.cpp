@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "rooms/starts/box.hpp"
+#include "scale.hpp"
 #include "starts/answer/trace.hpp"
 
 using namespace dumbbell;
@@ -90,10 +91,14 @@ TEST_CASE("a centre of mass that stays at the light mass's lever grazes, and onl
 }
 
 TEST_CASE("in a flat fall neither mass touches before, and no precision decides it") {
-    int found = 0;
+    const int stride = scaled(1) >= 20 ? 1 : 13;
+    int found = 0, number = 0;
     for (int phi = -16; phi <= 16; ++phi) {
         for (int climb = 1; climb <= 12; ++climb) {
             for (const int q : {1, 2, 10, 1000}) {
+                if (number++ % stride != 0) {
+                    continue;
+                }
                 // Level at the time 1, where y = 0.
                 const Rational ydot(-climb, 4);
                 const Box box = point(Rational(phi, 4), Rational(-phi, 4), -ydot, ydot, q);
@@ -107,12 +112,12 @@ TEST_CASE("in a flat fall neither mass touches before, and no precision decides 
                 if (time) {
                     ++found;
                     CHECK(*time == 1);
-                    if (found % 100 == 0) {
+                    if (found % 100 == 1) {
                         CHECK_FALSE(trace(box, 30).exact());
                     }
                 }
             }
         }
     }
-    CHECK(found > 300);
+    CHECK(found * stride > 300);
 }

@@ -76,15 +76,12 @@ TEST_CASE("A subdivision's shares add up to the whole, exactly") {
 TEST_CASE(
     "A subdivision, with generations that are judged in parts too, does not depend on the number of "
     "threads") {
-    const auto one = subdivide(falling(), {.max_boxes = 15000, .jobs = 1});
-    const auto two = subdivide(falling(), {.max_boxes = 15000, .jobs = 2});
+    const auto one = subdivide(falling(), {.max_boxes = 11'000, .jobs = 1});
+    const auto two = subdivide(falling(), {.max_boxes = 11'000, .jobs = 2});
+    CHECK(one.undecided.boxes > 4096);  // that are judged at a time
+    CHECK(one.undecided.share < Rational(1, 100));
+    CHECK(one.least == 1);
     CHECK(render(certificate_of(falling(), one)).text == render(certificate_of(falling(), two)).text);
-}
-
-TEST_CASE("Ninety-nine hundredths of the box of the help text are decided") {
-    const auto parts = subdivide(falling(), {.max_boxes = 20000, .jobs = 2});
-    CHECK(parts.undecided.share < Rational(1, 100));
-    CHECK(parts.least == 1);
 }
 
 TEST_CASE("A box with one number of collisions is a single leaf") {

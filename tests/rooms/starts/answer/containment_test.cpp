@@ -84,10 +84,10 @@ constexpr Numbers tried[] = {{0, 1}, {0, 1.5}, {0, 3},     {0, 10},  {0, 100},  
 
 }  // namespace
 
-TEST_CASE("L77: 20,000 random boxes contain the simulated orbits of their points, of dumbbells and bodies") {
+TEST_CASE("L77: random boxes contain the simulated orbits of their points, of dumbbells and bodies") {
     std::mt19937_64 engine(20260801);
     long checked = 0, exact = 0;
-    const int boxes = dumbbell_oracle::trials(20000);
+    const long boxes = scaled(1'200);
     for (int i = 0; i < boxes; ++i) {
         const Numbers& numbers = tried[i % std::size(tried)];
         const Sides sides = random_sides(engine, numbers.q, std::pow(10.0, -uniform(engine, 1, 8)));
@@ -120,7 +120,7 @@ TEST_CASE("In double precision every collision of random starts is enclosed, als
     for (const double q : {10.0, 1e4, 1e6}) {
         std::mt19937_64 engine(20261121);
         long collisions = 0;
-        for (int i = 0; i < dumbbell_oracle::trials(400); ++i) {
+        for (int i = 0; i < scaled(150); ++i) {
             const Sides sides = random_sides(engine, q, 0);
             const auto traced = dumbbell::starts::trace(sides.box(), 0);
             INFO(describe(sides));
@@ -167,7 +167,7 @@ TEST_CASE("Orbits in double precision and with more digits overlap, and decide n
     for (const double q : {10.0, 100.0, 10000.0}) {
         std::mt19937_64 engine(99);
         long decided = 0;
-        const int points = dumbbell_oracle::trials(4000);
+        const long points = scaled(800);
         for (int i = 0; i < points; ++i) {
             const auto box = random_sides(engine, q, 0).box();
             const auto traced = dumbbell::starts::trace(box, 0);

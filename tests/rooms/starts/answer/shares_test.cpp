@@ -29,7 +29,7 @@ Histogram simulated(const Box& box) {
     std::mt19937_64 engine(2026);
     const dumbbell_oracle::Dumbbell<dumbbell_oracle::Real> body(box.lo[4].convert_to<double>());
     Histogram found;
-    for (int i = 0; i < dumbbell_oracle::trials(20'000); ++i) {
+    for (int i = 0; i < scaled(4'000); ++i) {
         const auto side = [&](std::size_t axis) -> dumbbell_oracle::Real {
             return uniform(engine, box.lo[axis].convert_to<double>(), box.hi[axis].convert_to<double>());
         };
@@ -93,9 +93,10 @@ TEST_CASE("dumbbell-verify finds the same shares in the file, letter by letter")
 }
 
 TEST_CASE("random starts have each number of collisions as often as is proved, within their own error") {
+    const auto boxes = static_cast<std::size_t>(std::min(scaled(800), 6000L));
     for (const char* q : {"1", "4.61", "10", "100"}) {
         INFO("q " << q);
         const Box box = falling(parse_rational(q));
-        simulated(box).check(share_bounds(subdivide(box, {.max_boxes = 6000, .jobs = 2}).tree));
+        simulated(box).check(share_bounds(subdivide(box, {.max_boxes = boxes, .jobs = 2}).tree));
     }
 }

@@ -173,10 +173,12 @@ TEST_CASE("no leaf says more than the maximum over all trajectories, and less th
 
 TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, and for its mirror image") {
     std::mt19937_64 engine(8);
+    const int boxes = static_cast<int>(std::min(scaled(1000), 4000L));
     for (const char* q : {"1", "4.61", "10", "100", "1000"}) {
         const Rational ratio = parse_rational(q);
         const dumbbell_oracle::Dumbbell<Number> body(ratio.convert_to<double>());
-        const auto parts = subdivide(incoming_box(ratio), {.max_boxes = 4000, .jobs = 2, .incoming = true});
+        const auto parts = subdivide(
+            incoming_box(ratio), {.max_boxes = static_cast<std::size_t>(boxes), .jobs = 2, .incoming = true});
         int decided = 0, simulated = 0;
         for_each_leaf(parts.tree, incoming_box(ratio), [&](const Box& piece, const Leaf& leaf) {
             const auto within = [&](Axis axis) {
@@ -203,14 +205,15 @@ TEST_CASE("what each leaf says holds for a simulated trajectory of its piece, an
             ++simulated;
             decided += leaf.least == *leaf.most ? 1 : 0;
         });
-        CHECK(simulated > 3000);
-        CHECK(decided > 200);
+        CHECK(simulated > boxes * 3 / 4);
+        CHECK(decided > boxes / 200);
     }
 }
 
 TEST_CASE(
     "L77: random incoming motions have each number of collisions as often as is proved, of bodies too") {
     std::mt19937_64 engine(7);
+    const auto boxes = static_cast<std::size_t>(std::min(scaled(500), 3000L));
     for (const auto& [q, rho] : std::vector<std::pair<const char*, double>>{
              {"1", 0}, {"4.61", 0}, {"10", 0}, {"100", 0}, {"1000", 0}, {"4", 1}, {"3", 0.5}}) {
         INFO("q " << q << " rho " << rho);
@@ -219,13 +222,13 @@ TEST_CASE(
         const Number far = 1 / (1 + (rho > 0 ? Number(rho) : 1 / number)), near = 1 - far;
         const dumbbell_oracle::Dumbbell<Number> body(far, near, far * far / number);
         dumbbell_trace_test::Histogram found;
-        for (int i = 0; i < dumbbell_oracle::trials(20'000); ++i) {
+        for (int i = 0; i < scaled(2'500); ++i) {
             const Number phi = uniform(engine, 0, 6.283185307179586), s = uniform(engine, -1, 1);
             // From twice the height of the highest wall; only the direction matters.
             found.add(simulate(body, dumbbell_oracle::State<Number>{phi, s * std::sqrt(number), 2 * far,
                                                                     -std::sqrt(1 - s * s) * far}));
         }
         const Box all = incoming_box(ratio, rho > 0 ? std::optional(exact(rho)) : std::nullopt);
-        found.check(share_bounds(subdivide(all, {.max_boxes = 3000, .jobs = 2, .incoming = true}).tree));
+        found.check(share_bounds(subdivide(all, {.max_boxes = boxes, .jobs = 2, .incoming = true}).tree));
     }
 }

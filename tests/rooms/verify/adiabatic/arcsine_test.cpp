@@ -5,6 +5,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "scale.hpp"
 #include "verify/adiabatic/contact.hpp"
 #include "verify/core/big.hpp"
 
@@ -55,7 +56,7 @@ double arcsine_power_of_two(double lo, double hi) { return std::exp2(arcsine_uni
 }  // namespace
 
 TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") {
-    for (int i = 0; i < 20'000; ++i) {
+    for (long i = 0; i < scaled(4'000); ++i) {
         const double z = i % 3 == 0   ? arcsine_power_of_two(-400, -1)
                          : i % 3 == 1 ? arcsine_uniform(0, 0.89)
                                       : 1 - arcsine_power_of_two(-40, -3);
@@ -70,7 +71,7 @@ TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") 
 }
 
 TEST_CASE("arcsine: of intervals, every number in them") {
-    for (int i = 0; i < 20'000; ++i) {
+    for (long i = 0; i < scaled(4'000); ++i) {
         const double lo = arcsine_uniform(-0.2, 0.95), hi = std::min(1.0, lo + arcsine_power_of_two(-40, -2));
         const Interval<double> enclosed = arcsine_share(Interval<double>(lo, hi));
         for (int j = 0; j < 4; ++j) {

@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "make_file.hpp"
 #include "orbit.hpp"
+#include "scale.hpp"
 
 namespace adiabatic = dumbbell_verify::adiabatic;
 
@@ -41,8 +42,9 @@ double power_of_two(double lo, double hi) { return std::exp2(uniform(lo, hi)); }
 }  // namespace
 
 TEST_CASE("adiabatic: no accepted leaf of a class holds a flight that drifts more, or backwards") {
-    int bounds = 0, outsides = 0, flights = 0, refuted = 0;
-    for (int i = 0; i < 8'000; ++i) {
+    const long trials = scaled(250);
+    long bounds = 0, outsides = 0, flights = 0, refuted = 0;
+    for (long i = 0; i < trials; ++i) {
         Adiabatics file;
         adiabatic::Claim& claim = file.terms.claim;
         claim.kind = adiabatic::Claim::run;
@@ -80,15 +82,16 @@ TEST_CASE("adiabatic: no accepted leaf of a class holds a flight that drifts mor
             ++(breaks ? refuted : flights);
         }
     }
-    CHECK(bounds > 300);
-    CHECK(outsides > 200);
-    CHECK(flights > 3000);
-    CHECK(refuted > 3000);
+    CHECK(bounds > trials / 30);
+    CHECK(outsides > trials / 50);
+    CHECK(flights > trials / 3);
+    CHECK(refuted > trials / 3);
 }
 
 TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater errors") {
-    int bounds = 0, outsides = 0, states = 0, refuted = 0;
-    for (int i = 0; i < 8'000; ++i) {
+    const long trials = scaled(1'600);
+    long bounds = 0, outsides = 0, states = 0, refuted = 0;
+    for (long i = 0; i < trials; ++i) {
         Adiabatics file;
         adiabatic::Claim& claim = file.terms.claim;
         claim.kind = adiabatic::Claim::bounce;
@@ -108,10 +111,10 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
             std::abs(typical.spin_after(0) - 1 - 2 * delta * s / std::sqrt(1 - typical.y(0) * typical.y(0)));
         const Real e2 =
             typical.size() > 1 ? std::abs(typical.y(1) - typical.y(0) + 2 * typical.f(0) * delta * s) : 1;
-        const auto scaled = [&](Real e, double power) {
+        const auto near = [&](Real e, double power) {
             return mpq_class(static_cast<double>(e) / std::pow(delta, power) * uniform(0.7, 2));
         };
-        claim.bounds = {scaled(e1, 2 - 2 * k), scaled(e2 / 2, 2 - k)};
+        claim.bounds = {near(e1, 2 - 2 * k), near(e2 / 2, 2 - k)};
         adiabatic::Leaf leaf = file.root(adiabatic::Leaf::claim_tree, 0);
         const double size = power_of_two(-14, -2);
         narrow(leaf, adiabatic::axis_u, 0, 2, u, u * size);
@@ -143,10 +146,10 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
             ++(breaks ? refuted : states);
         }
     }
-    CHECK(bounds > 300);
-    CHECK(outsides > 200);
-    CHECK(states > 2000);
-    CHECK(refuted > 2000);
+    CHECK(bounds > trials / 30);
+    CHECK(outsides > trials / 50);
+    CHECK(states > trials / 4);
+    CHECK(refuted > trials / 4);
 }
 
 TEST_CASE("adiabatic: where D changes its sign in a leaf of a bounce, the states with D > 0 count") {
@@ -197,9 +200,10 @@ namespace {
 
 /// Leaves are checked with a class whose own tree is not: one like those of adiabatic_claims_test, whose
 /// trees are.
-void try_run_leaf(adiabatic::Claim::Kind kind, int trials, std::array<int, 4>& seen) {
+std::array<long, 4> try_run_leaf(adiabatic::Claim::Kind kind, long trials) {
+    std::array<long, 4> seen{};
     auto& [bounds, outsides, states, refuted] = seen;
-    for (int i = 0; i < trials; ++i) {
+    for (long i = 0; i < trials; ++i) {
         Adiabatics file;
         adiabatic::Claim& claim = file.terms.claim;
         claim.kind = kind;
@@ -269,6 +273,7 @@ void try_run_leaf(adiabatic::Claim::Kind kind, int trials, std::array<int, 4>& s
             }
         }
     }
+    return seen;
 }
 
 }  // namespace
@@ -292,19 +297,19 @@ TEST_CASE("adiabatic: of a run the last collision may be so near to the vertical
 }
 
 TEST_CASE("adiabatic: no accepted leaf of a run holds an orbit whose invariant changes more") {
-    std::array<int, 4> seen{};
-    try_run_leaf(adiabatic::Claim::run, 2500, seen);
-    CHECK(seen[0] > 200);
-    CHECK(seen[1] > 100);
-    CHECK(seen[2] > 1000);
-    CHECK(seen[3] > 1000);
+    const long trials = scaled(600);
+    const auto [bounds, outsides, states, refuted] = try_run_leaf(adiabatic::Claim::run, trials);
+    CHECK(bounds > trials / 15);
+    CHECK(outsides > trials / 30);
+    CHECK(states > trials / 3);
+    CHECK(refuted > trials / 3);
 }
 
 TEST_CASE("adiabatic: no accepted leaf of a scattering holds one whose invariant changes more") {
-    std::array<int, 4> seen{};
-    try_run_leaf(adiabatic::Claim::scattering, 400, seen);
-    CHECK(seen[0] > 30);
-    CHECK(seen[1] > 5);
-    CHECK(seen[2] > 100);
-    CHECK(seen[3] > 100);
+    const long trials = scaled(60);
+    const auto [bounds, outsides, states, refuted] = try_run_leaf(adiabatic::Claim::scattering, trials);
+    CHECK(bounds > trials / 15);
+    CHECK(outsides > trials / 100);
+    CHECK(states > trials / 5);
+    CHECK(refuted > trials / 5);
 }

@@ -57,6 +57,8 @@ struct Adiabatics {
     /// would be longest in these units.
     [[nodiscard]] std::string tree(adiabatic::Leaf leaf, const Axes& axes, int depth = 0) const {
         static constexpr const char* names[] = {"u", "s", "v", "delta", "sigma"};
+        // What doubles do not certify of a class is halved: the second attempt is dear, and mostly in vain.
+        if (terms.claim.has_classes()) leaf.bits = 2;
         leaf.outside = true;
         if (!dumbbell_verify::adiabatic::check_leaf(leaf, nullptr)) return "outside\n";
         leaf.outside = false;

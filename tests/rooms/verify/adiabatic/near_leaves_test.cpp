@@ -3,14 +3,24 @@
 #include "catch.hpp"
 #include "rooms/verify/core/leaf_rows.hpp"
 #include "rows.hpp"
+#include "scale.hpp"
 #include "verify/machine/meter.hpp"
 
 using dumbbell_verify::Meter;
 
 namespace {
 
+const bool all_adiabatic_rows = scaled(1) >= 20;  ///< else of the classes, which are dear, every fourth
 const std::vector<leaf_rows::Row>& near_adiabatic_rows() {
-    static const auto table = leaf_rows::read(DUMBBELL_PROJECT "/tests/data/near_adiabatic.tsv");
+    static const auto table = [] {
+        auto rows = leaf_rows::read(DUMBBELL_PROJECT "/tests/data/near_adiabatic.tsv");
+        const auto is_left_out = [i = 0](const auto& row) mutable {
+            return adiabatic_rows::parsed(row.leaf).part == dumbbell_verify::adiabatic::Leaf::class_tree &&
+                   ++i % 4 != 0;
+        };
+        if (!all_adiabatic_rows) std::erase_if(rows, is_left_out);
+        return rows;
+    }();
     return table;
 }
 
@@ -26,7 +36,7 @@ TEST_CASE("adiabatic leaves near the edge of what is certified are judged as bef
         units += Meter::done();
     }
     // Nor is another amount charged for them: what was within the default budget still is.
-    CHECK(units == 12'472'305'637);
+    CHECK(units == (all_adiabatic_rows ? 12'472'305'637 : 4'461'102'277));
 }
 
 TEST_CASE("adiabatic: what few bits certify, 300 bits certify, too") {

@@ -91,6 +91,8 @@ inline std::string mutated(const std::string& text, const std::string& from, con
 /// A tree of leaves that the section accepts with U = leaf.claimed on the leaf's box, or std::runtime_error.
 inline std::string tree(const Section& section, Leaf leaf, int depth = 0) {
     if (depth > 40) throw std::runtime_error("the cover does not close");
+    if (leaf.bits == 53)
+        leaf.bits = 2;  // the second attempt at a leaf, dear and mostly in vain, is a short one
     const auto accepts = [&](std::size_t opcode) {
         leaf.opcode = opcode;
         return (section.opcodes[opcode].charts >> leaf.chart & 1) != 0 && !section.check(leaf, nullptr);
@@ -100,8 +102,10 @@ inline std::string tree(const Section& section, Leaf leaf, int depth = 0) {
             opcode.place == dumbbell_verify::Place::leaf && opcode.hints == 0 && accepts(i))
             return std::string(opcode.name) + "\n";
     const bool two = section.opcodes[dumbbell_verify::count_leaf].hints == 2;
-    for (leaf.a = two ? 0 : mpz_class(leaf.claimed - 1); leaf.a < leaf.claimed; ++leaf.a) {
-        leaf.b = leaf.claimed - 1 - leaf.a;
+    const unsigned long most = leaf.claimed.get_ui() - 1;
+    for (unsigned long i = 0; i <= (two ? most : 0); ++i) {  // a and b are mostly alike
+        leaf.a = !two ? most : i % 2 == 0 ? (most - i) / 2 : (most + i + 1) / 2;
+        leaf.b = most - leaf.a;
         if (accepts(dumbbell_verify::count_leaf))
             return "count " + leaf.a.get_str() + (two ? " " + leaf.b.get_str() : "") + "\n";
     }

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "make_certificate.hpp"
+#include "scale.hpp"
 #include "verify/core/section.hpp"
 #include "verify/program/verify.hpp"
 
@@ -239,10 +240,12 @@ TEST_CASE("a range is covered with splits of the ratio, and not across a critica
 
 TEST_CASE("large ratios: q = 10^4 and 10^6 in double and in 64 bits, one less fails") {
     CHECK(outcome_at_bits(single(100, 10, 0, "")) == "verified");
-    CHECK(outcome_at_bits(single(10'000, 90, 0, "")) == "verified");
-    const std::string text = single(1'000'000, 887, 0, "");
+    const bool far = scaled(1) >= 20;  // seconds
+    const std::string text = far ? single(1'000'000, 887, 0, "") : single(10'000, 90, 0, "");
     CHECK(outcome_at_bits(text) == "verified");
     CHECK(outcome_at_bits(mutated(text, "bits 53", "bits 64")) == "verified");
+    if (!far) return;
+    CHECK(outcome_at_bits(single(10'000, 90, 0, "")) == "verified");
     CHECK_THROWS_AS(make::cover(turning(), 10'000, 10'000, 89), std::runtime_error);
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "scale.hpp"
 #include "truth.hpp"
 #include "verify/core/big.hpp"
 #include "verify/law/constants.hpp"
@@ -95,8 +96,9 @@ TEST_CASE("law: the constants hold their values in 80 digits") {
 }
 
 TEST_CASE("law: a box of the layer holds the defect and the drift of its steps") {
-    int passed = 0;
-    for (int i = 0; i < 400; ++i) {
+    long passed = 0;
+    const long boxes = scaled(100);
+    for (long i = 0; i < boxes; ++i) {
         const double U = i % 4 == 0 ? any_size(1e-6, 0.9) : law_uniform(0.01, 0.9);
         const double rho = any_size(1e-5, std::min(0.2, 2e-3 / (U * U)));
         const LayerTruth truth(U, rho, law_uniform(0, 1));
@@ -117,7 +119,7 @@ TEST_CASE("law: a box of the layer holds the defect and the drift of its steps")
             REQUIRE(law::check_layer(leaf, nullptr) != nullptr);
         }
     }
-    CHECK(passed > 200);
+    CHECK(passed > boxes / 2);
 }
 
 TEST_CASE(
@@ -148,7 +150,7 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
     law::States exact;
     exact.drift = exact.rise = 0;
     exact.parts = 200;
-    for (int i = 0; i < 60; ++i) {
+    for (long i = 0; i < scaled(60); ++i) {
         const double U = i % 2 == 0 ? any_size(1e-3, 0.9) : law_uniform(0.1, 0.9);
         const double rho = any_size(1e-4, std::min(0.2, 2e-3 / (U * U)));
         const LayerTruth truth(U, rho, 0, 1, 0);
@@ -209,7 +211,7 @@ TEST_CASE("law: a leaf is refused where its inequality is false") {
 }
 
 TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps") {
-    for (int i = 0; i < 150; ++i) {
+    for (long i = 0; i < scaled(40); ++i) {
         const std::size_t range = static_cast<std::size_t>(i) % 3;
         const double ends[] = {0.002, 0.6, 0.7, 0.7944};
         const double th = law_uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
@@ -263,7 +265,7 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
 }
 
 TEST_CASE("law: a part of the end holds what the last contact loses") {
-    for (int i = 0; i < 60; ++i) {
+    for (long i = 0; i < scaled(20); ++i) {
         const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : law_uniform(1e-3, 0.0713),
                      share = law_uniform(0, 1);
         const law_truth::Real d = d_;

@@ -3,14 +3,23 @@
 #include "catch.hpp"
 #include "rooms/verify/core/leaf_rows.hpp"
 #include "rows.hpp"
+#include "scale.hpp"
 #include "verify/law/rule.hpp"
 
 using namespace dumbbell_verify;
 
 namespace {
 
+const bool all_rows = scaled(1) >= 20;  ///< else of the parts of the bulk, which are dear, every fourth
 const std::vector<leaf_rows::Row>& near_law_rows() {
-    static const auto table = leaf_rows::read(DUMBBELL_PROJECT "/tests/data/near_law.tsv");
+    static const auto table = [] {
+        auto rows = leaf_rows::read(DUMBBELL_PROJECT "/tests/data/near_law.tsv");
+        if (!all_rows)
+            std::erase_if(rows, [i = 0](const auto& row) mutable {
+                return row.leaf.starts_with("bulk") && ++i % 4 != 0;
+            });
+        return rows;
+    }();
     return table;
 }
 
@@ -75,7 +84,7 @@ TEST_CASE("law: rules and constants have the same enclosures as before, and ask 
         if (found != row.result) FAIL(row.leaf << "\n  expected: " << row.result << "\n  found: " << found);
         units += Meter::done();
     }
-    CHECK(units == 10'488'574'600);
+    CHECK(units == (all_rows ? 10'488'574'600 : 4'282'261'844));
 }
 
 TEST_CASE("law: what few bits certify 300 bits certify too, in narrower enclosures") {

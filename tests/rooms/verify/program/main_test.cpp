@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "rooms/verify/core/make_certificate.hpp"
 #include "run_program.hpp"
+#include "scale.hpp"
 #include "shipped.hpp"
 
 using make::closed;
@@ -383,7 +384,7 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     const File long_ray(
         closed(make::header("10000/1", "10000/1", 1) + make::piece(10'000, 10'000, 90, 0, "")));
     CHECK(run("--explain 1:bridge " + long_ray.path()).out.size() < 40'000);
-    CHECK(run("--precision 4096 --explain 1:bridge " + long_ray.path()).code == 0);
+    if (scaled(1) >= 20) CHECK(run("--precision 4096 --explain 1:bridge " + long_ray.path()).code == 0);
     // What is shown is worked out again, and that is work, too: no more than the budget has left.
     CHECK(run("--precision 1000 --budget 0.1s " + long_ray.path()).code == 0);
     CHECK(run("--precision 1000 --budget 0.1s --explain 1:bridge " + long_ray.path()).code == 4);
@@ -397,15 +398,15 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
     CHECK(beyond.last() == "s LIMIT line=13 more work than the budget of 0.010 s: --budget allows more");
 }
 
-TEST_CASE("a gigabyte of zeros, plain or compressed, is refused at once in little memory") {
-    const std::string little_memory = sanitized ? "" : "ulimit -v 400000; ";  // the sanitizer maps terabytes
+TEST_CASE("many zeros, plain or compressed, are refused at once in little memory") {
+    const std::string little_memory = sanitized ? "" : "ulimit -v 100000; ";  // the sanitizer maps terabytes
     const File file("");
     REQUIRE(truncate(file.path().c_str(), 1L << 30) == 0);
     const Run r = run(file.path(), little_memory + "ulimit -t 5; ");
     CHECK(r.last().starts_with("s REJECTED line=1 code=byte"));
     CHECK(r.code == 1);
     const File packed("");
-    REQUIRE(std::system(("head -c 300000000 /dev/zero | gzip -1 >" + packed.path()).c_str()) == 0);
+    REQUIRE(std::system(("head -c 110000000 /dev/zero | gzip -1 >" + packed.path()).c_str()) == 0);
     CHECK(run(packed.path(), little_memory + "ulimit -t 5; ")
               .last()
               .starts_with("s REJECTED line=1 code=byte"));

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "scale.hpp"
 #include "verify/functions/exact_value.hpp"
 #include "verify/starts/reflection.hpp"
 
@@ -50,8 +51,9 @@ std::optional<LongDouble> first_contact(LongDouble c, LongDouble k) {
 }  // namespace
 
 TEST_CASE("initial conditions: the enclosure of the first contact's angle holds, for either mass") {
-    int found[2] = {0, 0}, narrow = 0;
-    for (int i = 0; i < 15'000; ++i) {
+    const long boxes = scaled(3'000);
+    long found[2] = {0, 0}, narrow = 0;
+    for (long i = 0; i < boxes; ++i) {
         const double size = std::exp2(step_uniform(-20, -3));
         const auto rational = [](double x) { return mpq_class(x); };
         // One wide side or all of them.
@@ -103,14 +105,15 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
             REQUIRE(step_holds(*angle, phi));
         }
     }
-    CHECK(found[0] > 1000);
-    CHECK(found[1] > 1000);
-    CHECK(narrow > 1000);
+    CHECK(found[0] > boxes / 15);
+    CHECK(found[1] > boxes / 15);
+    CHECK(narrow > boxes / 15);
 }
 
 TEST_CASE("initial conditions: steps off the bridge and off a light wall hold for every ray of the box") {
-    int bridge[2] = {0, 0}, light = 0, last = 0, far = 0, dives = 0;
-    for (int i = 0; i < 40'000; ++i) {
+    const long boxes = scaled(8'000);
+    long bridge[2] = {0, 0}, light = 0, last = 0, far = 0, dives = 0;
+    for (long i = 0; i < boxes; ++i) {
         const double size = std::exp2(step_uniform(-16, -3));
         const Doubles r = around(1 / step_uniform(1.05, 40), 0);
         const Doubles ratio(r.lo, std::min(1.0, r.lo * (1 + size * step_uniform(0, 1))));
@@ -152,12 +155,12 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
             ++(passes ? light : bridge[spin > 0]);
         }
     }
-    CHECK(bridge[0] > 1000);
-    CHECK(bridge[1] > 1000);
-    CHECK(light > 1000);
-    CHECK(last > 500);
-    CHECK(far > 1000);
-    CHECK(dives > 1000);
+    CHECK(bridge[0] > boxes / 40);
+    CHECK(bridge[1] > boxes / 40);
+    CHECK(light > boxes / 40);
+    CHECK(last > boxes / 80);
+    CHECK(far > boxes / 40);
+    CHECK(dives > boxes / 40);
 }
 
 TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wrong rounding shows") {
