@@ -16,15 +16,6 @@ namespace {
 
 constexpr std::size_t stale_sample = 8;  ///< one in this number is also tried with the old checksum
 
-/// At most so many of them, from everywhere.
-template <class T>
-std::vector<T> thinned(std::vector<T> all, std::size_t most) {
-    if (all.size() <= most) return all;
-    std::vector<T> result;
-    for (std::size_t i = 0; i < most; ++i) result.push_back(std::move(all[i * all.size() / most]));
-    return result;
-}
-
 /// Texts that were not seen before.
 class Collector {
   public:
@@ -32,31 +23,33 @@ class Collector {
         seen_.insert(hash_(base.text));
     }
 
-    /// What is made of some of these mutants. Most of the work is to close them, so they are thinned before.
-    std::vector<Trial> trials(std::vector<Mutant> mutants, std::size_t most) {
-        for (const Mutant& mutant : thinned(std::move(mutants), most)) add(mutant);
-        return thinned(std::exchange(trials_, {}), most);
-    }
-
-  private:
     void add(const Mutant& mutant) {
         if (mutant.as_it_is) return add(mutant, "", mutant.text);
         add(mutant, "", closed(mutant.text));
         if (mutant.text.find("\ntotal ") != std::string::npos)
             add(mutant, ", totals as they are", hashed(mutant.text));
     }
+    std::vector<Trial> trials;
+
+  private:
     void add(const Mutant& mutant, const char* how, std::string text) {
         if (!seen_.insert(hash_(text)).second) return;
         const std::string stale = mutant.as_it_is ? "" : body_of(mutant.text) + trailer_;
         const bool tried = stale == text || seen_.contains(hash_(stale));
-        trials_.push_back({mutant.kind, mutant.what + how, std::move(text), tried ? "" : stale, {}});
+        trials.push_back({mutant.kind, mutant.what + how, std::move(text), tried ? "" : stale, {}});
     }
 
     std::string trailer_;  ///< the base's
     std::hash<std::string> hash_;
     std::unordered_set<std::size_t> seen_;
-    std::vector<Trial> trials_;
 };
+
+std::vector<Trial> thinned(std::vector<Trial> trials, std::size_t most) {
+    if (trials.size() <= most) return trials;
+    std::vector<Trial> result;
+    for (std::size_t i = 0; i < most; ++i) result.push_back(std::move(trials[i * trials.size() / most]));
+    return result;
+}
 
 /// A result on one line, and back.
 std::string packed(const Result& r) {
@@ -116,12 +109,11 @@ bool is_unmasked(const Scratch& file, const Trial& trial, bool accepted) {
 
 std::vector<Trial> trials_of(const Base& base, const Options& options) {
     Collector collector(base);
-    std::vector<Mutant> mutants;
-    const Sink sink = [&](Mutant mutant) { mutants.push_back(std::move(mutant)); };
+    const Sink sink = [&](const Mutant& mutant) { collector.add(mutant); };
     const std::size_t most = options.most / base.cost;
     std::vector<Trial> trials;
     const auto keep = [&](std::size_t n) {
-        for (Trial& trial : collector.trials(std::exchange(mutants, {}), n))
+        for (Trial& trial : thinned(std::exchange(collector.trials, {}), n))
             trials.push_back(std::move(trial));
     };
     claim_mutations(base, sink);
@@ -135,7 +127,7 @@ std::vector<Trial> trials_of(const Base& base, const Options& options) {
     keep(most * options.scale - trials.size());
     if (options.scale > 1) {
         random_mutations(base.text, 1, most * (options.scale - 1) / 2, sink);
-        keep(2 * mutants.size());
+        keep(collector.trials.size());
     }
     std::vector<Trial> demands;
     for (const Demand& demand : demands_of(base))

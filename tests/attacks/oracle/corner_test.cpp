@@ -73,7 +73,9 @@ TEST_CASE("L40: a corner taken as two, at most N* before and after it together, 
 TEST_CASE(
     "L40: regular trajectories that pass a corner nearly have the same collisions twice, and two there") {
     Sampler sampler(1, 4002);
-    for (int i = 0; i < scaled(70); ++i) {
+    const long orbits = scaled(70);
+    int passed = 0;
+    for (int i = 0; i < orbits; ++i) {
         const double ratio = ratio_with_a_corner_orbit(sampler);
         const Dumbbell<Digits80> body{Digits80(ratio)};
         const std::size_t maximum = theorem(Digits80(ratio)).maximum();
@@ -91,7 +93,8 @@ TEST_CASE(
             if (!close(static_cast<Real>(after.phidot), static_cast<Real>(flight.phidot), 1e-15L) ||
                 !close(static_cast<Real>(after.ydot), static_cast<Real>(flight.ydot), 1e-15L))
                 FAIL(told);
+            ++passed;
         }
     }
-    SUCCEED();
+    CHECK(passed >= 2 * orbits);
 }

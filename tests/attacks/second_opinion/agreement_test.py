@@ -26,6 +26,9 @@ WRITTEN = [
     "trace 1 --incoming --subdivide --max-boxes 200", "trace 10 --incoming --subdivide --max-boxes 400",
     "trace 4.61 --incoming --subdivide --max-boxes 60", "trace 1000 --incoming --subdivide --max-boxes 300",
 ]
+if second.SCALE > 1:
+    WRITTEN += ["certify 1e9", "certify 2 --section plain", "certify --scene body --rho 1/2 --inertia 3",
+                "trace 1000 --incoming --subdivide --max-boxes 1000"]
 
 
 class Agreement(unittest.TestCase):

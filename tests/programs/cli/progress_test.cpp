@@ -152,7 +152,7 @@ TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it ne
 }
 
 TEST_CASE("the progress line is never as wide as the terminal: the bar shrinks, then the end is cut off") {
-    for (const std::size_t columns : {60U, 10U}) {
+    for (const std::size_t columns : {60U, 30U, 10U}) {
         const std::string text = seen_on_terminal(long_range, "\033", columns);
         CAPTURE(text, columns);
         CHECK(text.find("/") != std::string::npos);

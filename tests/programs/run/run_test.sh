@@ -204,7 +204,7 @@ cat > "$ci/run" << 'END'
 #!/usr/bin/env bash
 echo "$*" >> calls
 test_case() { printf '\t<testcase name="%s" classname="" time="1" status="%s">\n' "$@" >> "$report"; }
-report=$3
+report=${*: -1}
 case "$*" in
     python) exit "$FAKE_PYTHON" ;;
     *-L*) test_case web/a run ;;

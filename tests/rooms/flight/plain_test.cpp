@@ -59,8 +59,8 @@ PlainTally check_plain_boxes(std::uint64_t seed, long boxes, double least_r, dou
 
 TEST_CASE("From narrow boxes no simulated state collides more often than plain evaluation bounds") {
     const PlainTally tally = check_plain_boxes<Interval>(221, scaled(2'000), 1e-2, 1e-6);
-    CHECK(tally.decided > tally.boxes * 9 / 10);
-    CHECK(tally.met > tally.boxes * 4 / 5);
+    CHECK(tally.decided > tally.boxes * 15 / 16);
+    CHECK(tally.met > tally.boxes * 13 / 16);
 }
 
 TEST_CASE("From boxes of up to double size plain evaluation bounds, or says that it cannot") {

@@ -135,6 +135,8 @@ TEST_CASE("scene body: a cover may halve the range of rho, and no single rho") {
     std::string deep = "chart contact\n";
     for (int i = 0; i < 401; ++i) deep += "split rho\n";
     CHECK(said_of_bodies(text_of("1/2 2501/5000", deep)) == "depth");
+    const std::string& single = lopsided();
+    CHECK(said_of_bodies(mutated(single, "chart contact\n", "chart contact\nsplit rho\n")) == "split");
 }
 
 TEST_CASE("scene body: a rod that hits with its heavy end before and after a collision with the light end") {
