@@ -29,7 +29,7 @@ struct Range {
 /// states, counted forward only (L15), or the latter without monotonicity (L16). All collision states of
 /// rigid bodies with mass between their contacts (body.md). The turning collisions of the source paper's
 /// model wedges (L17, L18). What is known of each is a row (section.hpp).
-enum class Section { turning, full, plain, body, hybrid, wedge };
+enum class Section { turning, full, plain, body, plain_body, hybrid, wedge };
 
 /// What moves, and what of its states is covered.
 struct System {
@@ -43,7 +43,7 @@ struct System {
 };
 
 /// A family of states that boxes cover, of a section (sections/). What is known of each is a row (chart.hpp).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge };
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, tangent };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light), the mass ratio q, and rho of bodies.

@@ -119,7 +119,8 @@ ClaimedHead head_from(Lines& lines, const std::string& path) {
         return {lines.ratio(fields[1]), lines.ratio(fields[2])};
     };
     const Range range = ends("ratio");
-    const auto rho = *section == Section::body ? std::optional(ends("rho")) : std::nullopt;
+    const auto rho = *section == Section::body || *section == Section::plain_body ? std::optional(ends("rho"))
+                                                                                  : std::nullopt;
     const auto pieces = static_cast<std::size_t>(lines.number(lines.expect("pieces", 2)[1]));
     if (pieces == 0) {
         lines.fail();

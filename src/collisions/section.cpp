@@ -7,7 +7,8 @@ namespace dumbbell::collisions {
 namespace {
 
 /// In the order of Section.
-constexpr std::array section_rows{&turning_row, &full_row, &plain_row, &body_row, &hybrid_row, &wedge_row};
+constexpr std::array section_rows{&turning_row,    &full_row,   &plain_row, &body_row,
+                                  &plain_body_row, &hybrid_row, &wedge_row};
 
 template <class Fits>
 std::optional<Section> first_section(Fits fits) {

@@ -73,7 +73,7 @@ struct SectionRow {
 [[nodiscard]] const SectionRow& staircase_of(const System& system);
 
 /// What row_of gives, each defined where its section is.
-extern const SectionRow turning_row, full_row, plain_row, body_row, hybrid_row, wedge_row;
+extern const SectionRow turning_row, full_row, plain_row, body_row, plain_body_row, hybrid_row, wedge_row;
 
 /// The section of a scene: by the words that users say, or by those of a file; nothing if there is none.
 [[nodiscard]] std::optional<Section> section_named(std::string_view scene, std::string_view section);

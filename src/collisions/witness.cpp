@@ -17,8 +17,6 @@ namespace {
 /// below_peak(n) has n + 3 binary places.
 constexpr int shortest_distance_bits = most_binary_places - 3;
 
-Rational power_of_half(int n) { return Rational(1, Integer(1) << n); }
-
 /// pi/2 - distance, cut to a dyadic with as few bits as keep it below pi/2 and close.
 Rational below_peak(int distance_bits) {
     const int bits = distance_bits + 3;

@@ -5,7 +5,7 @@
 namespace dumbbell::flight {
 
 long corner_count(const Rational& rho, const Rational& q, long most) {
-    require(rho > 0 && q * rho >= 1 && most >= 1, "corner count: 0 < rho, 1 <= Q rho, 1 <= most");
+    require(rho > 0 && q > 0 && most >= 1, "corner count: 0 < rho, 0 < Q, 1 <= most");
     // The powers a + i b sqrt Q of a number with the corner's argument, times whole numbers: b > 0 as long as
     // the multiple of the corner is less than pi.
     const Integer sum = numerator(rho) + denominator(rho);

@@ -116,6 +116,9 @@ template <>
 template <>
 [[nodiscard]] BigInterval enclose<BigInterval>(const Rational& x);
 
+/// 2^-n. Precondition: n >= 0.
+[[nodiscard]] inline Rational power_of_half(int n) { return Rational(1, Integer(1) << n); }
+
 /// The exact value of a finite double.
 [[nodiscard]] Rational exact(double x);
 

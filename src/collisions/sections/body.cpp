@@ -44,23 +44,23 @@ constexpr std::array body_charts{Chart::plain_contact, Chart::plain_departure};
 
 }  // namespace
 
-const SectionRow body_row{.scene = "body",
-                          .section = "plain",
-                          .lemmas = "body",
-                          .section_in_file = "full",
-                          .kind_in_totals = symmetric_word,
-                          .hits = "motion of the body in a plane, without a corner, hits the floor",
-                          .hits_it = "motion hits it",
-                          .system = "The body",
-                          .where = " of a body",
-                          .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
-                          .growth = "1.570796326794896619231321691640",
-                          .bits_to_verify = 0,
-                          .max_bits = double_bits,  // what it leaves open is next to a tie
-                          .max_nodes = 20'000'000,
-                          .charts = body_charts,
-                          .step = nullptr,
-                          .by_lemma = symmetric_cover,
-                          .bounds = {body_bounds<Interval>, body_bounds<BigInterval>}};
+const SectionRow plain_body_row{.scene = "body",
+                                .section = "plain",
+                                .lemmas = "body",
+                                .section_in_file = "full",
+                                .kind_in_totals = symmetric_word,
+                                .hits = "motion of the body in a plane, without a corner, hits the floor",
+                                .hits_it = "motion hits it",
+                                .system = "The body",
+                                .where = " of a body",
+                                .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
+                                .growth = "1.570796326794896619231321691640",
+                                .bits_to_verify = 0,
+                                .max_bits = double_bits,  // what it leaves open is next to a tie
+                                .max_nodes = 20'000'000,
+                                .charts = body_charts,
+                                .step = nullptr,
+                                .by_lemma = symmetric_cover,
+                                .bounds = {body_bounds<Interval>, body_bounds<BigInterval>}};
 
 }  // namespace dumbbell::collisions

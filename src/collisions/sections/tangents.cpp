@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "collisions/chart.hpp"
+#include "collisions/names.hpp"
+#include "collisions/section.hpp"
+#include "flight/certain_count.hpp"
+#include "flight/corner.hpp"
+#include "flight/valley.hpp"
+
+/// Every rigid body, by Theorem B (body.md): the two tangents of the bridge, over a tree of their places e.
+namespace dumbbell::collisions {
+namespace {
+
+using flight::Bounce;
+using flight::Ray;
+
+/// One body, as its counts need it; rho and r enclose it.
+template <class I>
+class Tangents {
+  public:
+    Tangents(const Rational& rho, const Rational& q, const Interrupted& interrupted)
+        : rho_(enclose<I>(rho)), r_(enclose<I>(1 / q)), interrupted_(interrupted) {}
+
+    /// Upper bounds of f(e), of b(e), of J, each at most cap + 1 (L81, L82).
+    [[nodiscard]] long upward(const I& e, long cap) const {
+        return certainly_less(e, half_pi<I>()) ? count(flight::tangent_upward(e, rho_, r_), cap)
+                                               : count({low_end(rho_), I(0), low_end(r_)}, cap);
+    }
+    [[nodiscard]] long into_valley(const I& e, long cap) const {
+        return flight::valley_hits_at_most(flight::tangent_into_valley(e, rho_, r_), rho_, cap, interrupted_);
+    }
+    [[nodiscard]] long corner(long cap) const {
+        return flight::valley_hits_at_most(along_bridge(), rho_, cap, interrupted_);
+    }
+    /// An upper bound of k1, and of T if J is `hits`.
+    [[nodiscard]] long from_corner(long cap) const { return count(upward_from_corner(low_end(rho_)), cap); }
+    [[nodiscard]] long even(long hits, long cap) const {
+        Ray<I> ray = along_bridge();
+        for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
+            switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
+                case Bounce::returns:
+                    break;
+                case Bounce::undecided:
+                    return cap + 1;
+                default:
+                    return 0;
+            }
+        }
+        return count(upward_from_corner(ray.kappa), cap);
+    }
+
+  private:
+    [[nodiscard]] long count(const Ray<I>& ray, long cap) const {
+        return as_long(count_at_most(ray, cap, interrupted_));
+    }
+    /// The straight wedge's ray that runs along the bridge, and the one of a slope that leaves the corner.
+    [[nodiscard]] Ray<I> along_bridge() const { return {I(0), low_end(-rho_), low_end(r_)}; }
+    [[nodiscard]] Ray<I> upward_from_corner(const I& kappa) const {
+        return {low_end(pi<I>() * kappa), kappa, low_end(r_)};
+    }
+
+    I rho_, r_;
+    const Interrupted& interrupted_;
+};
+
+/// Whether ceil(pi/corner) >= n, exactly where that is not too long; else true.
+bool may_have_in_corner(long n, const Rational& rho, const Rational& q) {
+    return n > most_in_corner || flight::corner_count(rho, q, n) >= n;
+}
+
+/// L82, of the places [e0, e1]: f(e1) and b(e0), or at the corner J, and there the even value of Theorem B.
+template <class I>
+std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Interrupted& interrupted) {
+    const auto& [position, slope, ratio, height] = box.sides;
+    const I begin = position.lo.template enclosure<I>();
+    if (certainly_less(half_pi<I>(), begin)) {
+        return Leaf{Reason::outside};
+    }
+    const long upper = as_long(most), half = (upper - 1) / 2;
+    const Rational rho = height.lo, q = ratio.hi;
+    const Tangents<I> of(rho, q, interrupted);
+    const long up = of.upward(position.hi.template enclosure<I>(), half), room = half - up;
+    if (up > half) {
+        return std::nullopt;
+    }
+    const bool at_corner = approximate(position.lo) == 0;
+    long down = at_corner ? of.corner(room) : of.into_valley(begin, room);
+    if (down > room && (!at_corner || may_have_in_corner(2 * room + 3, rho, q))) {
+        return std::nullopt;
+    }
+    down = std::min(down, room);
+    const bool may_be_even = at_corner && upper % 2 == 1 && of.even(down, room) > half - down - 1 &&
+                             may_have_in_corner(2 * down + 2, rho, q);
+    return may_be_even ? std::nullopt : std::optional(Leaf{Reason::count, up, down});
+}
+
+constexpr double quarter = 0x1.921fb54442d18p+0;  // just below pi/2
+
+/// Where f + b seems to be as great as anywhere, or at least `enough`.
+struct Best {
+    long total = 0, hits = 0;
+    double e = 0;
+};
+
+/// f does not decrease and b does not increase, so f at the end and b at the beginning bound the sum.
+template <class I>
+Best best_tangent(const Tangents<I>& of, long cap, long enough, const Interrupted& interrupted) {
+    constexpr double least = 1e-13;
+    struct Part {
+        double lo, hi;
+        long up_lo, down_lo, up_hi, down_hi;
+    };
+    const long top_up = of.upward(I(2), cap), corner = of.corner(cap), corner_up = of.from_corner(cap);
+    Best best{top_up, 0, quarter};
+    if (corner + corner_up > best.total) {
+        best = {corner + corner_up, corner, least};
+    }
+    std::vector<Part> todo{{0, quarter, corner_up, corner, top_up, 0}};
+    while (!todo.empty() && best.total < enough && !interrupted()) {
+        const Part part = todo.back();
+        todo.pop_back();
+        const double middle = part.lo == 0            ? part.hi * 0x1p-10
+                              : part.hi > 4 * part.lo ? std::sqrt(part.lo * part.hi)
+                                                      : (part.lo + part.hi) / 2;
+        if (part.up_hi + part.down_lo <= best.total || middle < least ||
+            part.hi - part.lo < 1e-15 * part.hi) {
+            continue;
+        }
+        const long up = of.upward(I(middle), cap), down = of.into_valley(I(middle), cap);
+        if (up + down > best.total) {
+            best = {up + down, down, middle};
+        }
+        todo.push_back({part.lo, middle, part.up_lo, part.down_lo, up, down});
+        todo.push_back({middle, part.hi, up, down, part.up_hi, part.down_hi});
+    }
+    return best;
+}
+
+/// More than any motion has: L84 (a), about.
+long more_than_all(const Rational& q) {
+    return static_cast<long>(2 * std::sqrt(q.convert_to<double>())) + 10;
+}
+
+const Rational& rho_of(const System& system) { return system.rho->lo; }
+
+template <class I>
+std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
+    const Rational& rho = rho_of(system);
+    const Tangents<I> of(rho, q, interrupted);
+    const long cap = more_than_all(q);
+    const Best best = best_tangent(of, cap, cap, interrupted);
+    const long corner = of.corner(cap), most = 1 + 2 * best.total, least = of.from_corner(cap),
+               even = 2 * corner + 2 + 2 * least;
+    const bool is_even =
+        even > most && of.even(corner, cap) >= least && may_have_in_corner(2 * corner + 2, rho, q);
+    return interrupted() ? std::nullopt : std::optional(Count(is_even ? even : most));
+}
+
+/// The greatest dyadic of so many places at which the tangent seems to have `hits` in the valley.
+template <class I>
+Rational last_place(const Tangents<I>& of, double from, long hits, int places) {
+    Rational lo = exact(from), step = 1;
+    for (int place = 0; place < places; ++place, step /= 2) {
+        const Rational next = lo + step;
+        if (next < Rational(157, 100) && of.into_valley(enclose<I>(next), hits) >= hits) {
+            lo = next;
+        }
+    }
+    return lo;
+}
+
+template <class I>
+std::optional<Witness> contact(const Rational& e, const Rational& eta, const flight::Body<I>& body,
+                               long target) {
+    const auto rays = contact_rays(enclose<I>(e), enclose<I>(eta), body);
+    const long forward = certain_count(rays.outgoing, body, target - 1),
+               backward = certain_count(rays.reversed, body, target - 1 - forward);
+    return 1 + forward + backward >= target ? std::optional(Witness{e, eta, forward, backward})
+                                            : std::nullopt;
+}
+
+Integer whole(const Rational& x) { return numerator(x) / denominator(x); }
+
+/// A contact just before a place where the tangent touches the bridge again, or in the corner, or close to
+/// it: the three motions of Theorem B. It is of the least Q; greater ones have as many (L83).
+template <class I>
+std::optional<Witness> body_witness(const Range& range, const Count& wanted, const System& system,
+                                    const Interrupted& interrupted) {
+    const Rational &q = range.lo, &rho = rho_of(system);
+    const long target = as_long(wanted);
+    if (target <= most_in_corner && flight::corner_count(rho, q, target) >= target) {
+        return Witness{0, 0, target - 1, 0, Place::corner};
+    }
+    const Tangents<I> of(rho, q, interrupted);
+    const auto body = flight::Body<I>::with_mass(enclose<I>(rho), enclose<I>(1 / q));
+    const int bits = std::is_same_v<I, Interval> ? double_bits : PrecisionScope::current();
+    const Best best = best_tangent(of, more_than_all(q), target / 2, interrupted);
+    const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits, bits) : exact(quarter);
+    const int depth = -std::ilogb(last.convert_to<double>());
+    for (int places = 8; places < bits && !interrupted(); places += 4) {
+        const Rational step = power_of_half(places + depth), e = step * (whole(last / step) - 1);
+        if (auto found = contact(e, step * power_of_half(depth + 6), body, target)) {
+            return found;
+        }
+        if (auto found = contact(power_of_half(2 * places), power_of_half(places), body, target)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+template <class I>
+constexpr BoundSearch<I> tangent_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>};
+
+constexpr std::array tangent_charts{Chart::tangent};
+
+}  // namespace
+
+const ChartRow tangent_chart{.name = "tangent",
+                             .position = "e",
+                             .slope = {},
+                             .greatest_position = 2,
+                             .greatest_slope = 1,
+                             .splits_position_only = true,
+                             .judges = {judge_tangent<Interval>, judge_tangent<BigInterval>}};
+
+const SectionRow body_row{.scene = "body",
+                          .section = "tangents",
+                          .lemmas = "body",
+                          .section_in_file = "tangents",
+                          .hits = "motion of the body in a plane, without a corner, hits the floor",
+                          .hits_it = "motion hits it",
+                          .system = "The body",
+                          .where = " of a body",
+                          .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
+                          .growth = "1.570796326794896619231321691640",
+                          .charts = tangent_charts,
+                          .step = nullptr,
+                          .bounds = {tangent_bounds<Interval>, tangent_bounds<BigInterval>}};
+
+}  // namespace dumbbell::collisions

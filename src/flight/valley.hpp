@@ -1,0 +1,82 @@
+#pragma once
+
+#include "flight/contact.hpp"
+#include "flight/count.hpp"
+#include "flight/ray.hpp"
+#include "flight/reflection.hpp"
+
+/// The valley between R and the right half of the bridge (lemmas L79, L82): lower bounds of a flight from
+/// wall to wall, and with them an upper bound of how often it hits the bridge.
+namespace dumbbell::flight {
+
+/// What a lower bound of flights does at the wall ahead.
+enum class Bounce { returns, leaves, misses, undecided };
+
+/// Takes the lower bound `flight` (thin; c >= 0, the slope of any sign) to the wall of height `height`, 1 for
+/// R and rho for the bridge, and back. leaves, misses: no flight above it comes back, or hits the wall.
+template <class I>
+Bounce bounce_from_below(Ray<I>& flight, const I& height) {
+    const I kappa = low_end(flight.kappa / height);
+    if (certainly_at_most(I(1), kappa)) {
+        return Bounce::misses;
+    }
+    const auto contact = lowest_contact(low_end(flight.c / height), kappa);
+    if (!contact) {
+        return Bounce::misses;
+    }
+    const auto out = reflect_at_light_wall(flight.kappa, high_end(height * contact->cos_x), flight.r);
+    if (certainly_at_most(high_end(out.denominator), I(0))) {
+        return Bounce::leaves;
+    }
+    if (!certainly_positive(out.denominator) && !certainly_positive(out.numerator)) {
+        return Bounce::undecided;
+    }
+    // By the upper end of the denominator where the numerator is positive: the quotient's lower end, too.
+    flight.kappa = certainly_positive(out.denominator)
+                       ? low_end(out.numerator / out.denominator)
+                       : low_end(low_end(out.numerator) / high_end(out.denominator));
+    flight.c = max(I(0), low_end(height * contact->sin_x + flight.kappa * contact->x));
+    return Bounce::returns;
+}
+
+/// The tangent of the bridge at corner distance e, at its lowest: to the right and down into the valley, or
+/// to the left and up. Preconditions: 0 <= e < pi/2; rho and r enclose those of the bodies.
+template <class I>
+Ray<I> tangent_into_valley(const I& e, const I& rho, const I& r) {
+    const SinCos<I> at = sin_cos(e);
+    return {max(I(0), low_end(rho * (at.sin - e * at.cos))), low_end(-(rho * at.cos)), low_end(r)};
+}
+template <class I>
+Ray<I> tangent_upward(const I& e, const I& rho, const I& r) {
+    const SinCos<I> at = sin_cos(e);
+    return {low_end(rho * (at.sin + (pi<I>() - e) * at.cos)), low_end(rho * at.cos), low_end(r)};
+}
+
+/// An upper bound of the hits of the bridge of all flights above `flight` that go into the valley; `cap` + 1
+/// if none up to `cap` is certain.
+template <class I>
+long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupted& interrupted) {
+    for (long hits = 0; hits <= cap && !ends_early(hits, interrupted); ++hits) {
+        switch (bounce_from_below(flight, I(1))) {
+            case Bounce::undecided:
+                return cap + 1;
+            case Bounce::returns:
+                break;
+            default:
+                return hits;
+        }
+        switch (bounce_from_below(flight, rho)) {
+            case Bounce::undecided:
+                return hits < cap ? cap + 1 : cap;
+            case Bounce::returns:
+                break;
+            case Bounce::misses:
+                return hits;
+            case Bounce::leaves:
+                return hits + 1;
+        }
+    }
+    return cap + 1;
+}
+
+}  // namespace dumbbell::flight
