@@ -77,11 +77,12 @@ class CollisionsReader : public Reader<Leaf> {
         text_.expect("ratio", 2);
         end_ = claim_.lo = text_.ratio(1);
         claim_.hi = text_.ratio(2);
-        if (claim_.lo < 1 || claim_.lo > claim_.hi) text_.reject("number", "not 1 <= LO <= HI");
+        if ((claim_.lo < 1 && !section_.every_body) || claim_.lo > claim_.hi)
+            text_.reject("number", "not 1 <= LO <= HI");
         if (section_.scene == "body") {
             text_.expect("rho", 2);
             const auto& [lowest, greatest] = *(claim_.rho = {text_.ratio(1), text_.ratio(2)});
-            if (lowest > greatest || greatest > 1 || claim_.lo * lowest < 1)
+            if (lowest > greatest || greatest > 1 || (claim_.lo * lowest < 1 && !section_.every_body))
                 text_.reject("number", "not R0 <= R1 <= 1 <= LO R0");
             proofs_.rho = *claim_.rho;
         }

@@ -50,6 +50,7 @@ struct Section {
     const char* (*check)(const Leaf& leaf, Log* log);
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
     std::string_view other_witness{};  ///< of a second kind; it has the chart 1
+    bool every_body = false;           ///< any rho <= 1 and Q > 0; else q >= 1, and Q rho >= 1 (L70)
 };
 
 /// The least 2^k >= x, k >= 0. Precondition: x > 0.
@@ -59,11 +60,11 @@ inline mpq_class power_of_two(const mpq_class& x) {
     return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
-const Section &turning(), &full(), &plain(), &wedge(), &hybrid(), &body();
+const Section &turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents();
 
 /// All of them: (lemmas, scene, name) chooses.
-inline std::array<const Section*, 6> sections() {
-    return {&turning(), &full(), &plain(), &wedge(), &hybrid(), &body()};
+inline std::array<const Section*, 7> sections() {
+    return {&turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents()};
 }
 
 }  // namespace dumbbell_verify

@@ -4,6 +4,7 @@
 #include "verify/core/big.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/machine/meter.hpp"
+#include "verify/sections/corner.hpp"
 #include "verify/sections/flights.hpp"
 
 namespace dumbbell_verify {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr std::size_t symmetric = witness + 1;  // opcode
 constexpr std::size_t in_corner = 1;            // the second kind of witness
-constexpr int most_in_corner = 10'000;
 
 template <class N>
 class Body : Flights<N> {
@@ -76,23 +76,6 @@ class Body : Flights<N> {
     }
 };
 
-/// ceil(pi/corner) >= n, exactly: b_j > 0 for 0 < j < n (L73). Here a and b are a_j and b_j times the power j
-/// of the denominators' product.
-bool corner_has(const mpz_class& n, const mpq_class& rho, const mpq_class& q) {
-    const mpz_class sum = rho.get_num() + rho.get_den(), step = sum * q.get_den(), back = sum * q.get_num();
-    const mpz_class p = q.get_num() * rho.get_num() - q.get_den() * rho.get_den();
-    mpz_class a = p, b = step;
-    for (int j = 1; j < n; ++j) {
-        if (b <= 0) return false;
-        if (j > most_in_corner) throw std::length_error("more than 10,000 collisions in the corner");
-        Meter::spend(1024 + 16 * (limbs(a) + limbs(b)) * (limbs(step) + limbs(back)));
-        const mpz_class next = p * a - back * b;
-        b = step * a + p * b;
-        a = next;
-    }
-    return true;
-}
-
 const char* check_corner(const Leaf& leaf, Log* log) {
     const char* failed = nullptr;
     const auto fact = [&](const char* what, bool holds) {
@@ -123,6 +106,23 @@ const char* check_plain(const Leaf& leaf, Log* log) {
 }
 
 }  // namespace
+
+/// b_j > 0 for 0 < j < n. Here a and b are a_j and b_j times the power j
+/// of the denominators' product.
+bool corner_has(const mpz_class& n, const mpq_class& rho, const mpq_class& q) {
+    const mpz_class sum = rho.get_num() + rho.get_den(), step = sum * q.get_den(), back = sum * q.get_num();
+    const mpz_class p = q.get_num() * rho.get_num() - q.get_den() * rho.get_den();
+    mpz_class a = p, b = step;
+    for (int j = 1; j < n; ++j) {
+        if (b <= 0) return false;
+        if (j > most_in_corner) throw std::length_error("more than 10,000 collisions in the corner");
+        Meter::spend(1024 + 16 * (limbs(a) + limbs(b)) * (limbs(step) + limbs(back)));
+        const mpz_class next = p * a - back * b;
+        b = step * a + p * b;
+        a = next;
+    }
+    return true;
+}
 
 const Section& plain() {
     static const Section section = full_section("minimal", check_plain);
