@@ -52,9 +52,10 @@ collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptio
 collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
     if (options.section == Section::full ||
         (options.scene != Scene::dumbbell && options.scene != Scene::body)) {
-        throw dumbbell::InputError("bodies are of the scene body, without a section");
+        throw dumbbell::InputError("bodies are of the scene body, by their tangents or in the section plain");
     }
-    return request_of(collisions::claim_of_body(body.rho, body.inertia), options);
+    collisions::Claim claim = collisions::claim_of_body(body.rho, body.inertia);
+    return request_of(options.section == Section::plain ? by_plain_covers(std::move(claim)) : claim, options);
 }
 
 Piece given(const collisions::Piece& piece) {

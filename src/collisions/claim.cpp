@@ -82,16 +82,21 @@ Range parse_ends(const char* option, const std::string& text) {
 }  // namespace
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
-    const Claim claim{.range = parse_ends("--inertia", inertia),
-                      .system = {Section::body, parse_ends("--rho", rho)}};
+    Claim claim{.range = parse_ends("--inertia", inertia),
+                .system = {Section::body, parse_ends("--rho", rho)}};
     if (claim.system.rho->hi > 1) {
         throw InputError("--rho is d2/d1 with d1 >= d2, so at most 1: swap the ends");
     }
+    return claim.system.rho->is_single() ? claim : by_plain_covers(std::move(claim));
+}
+
+Claim by_plain_covers(Claim claim) {
     if (claim.range.lo * claim.system.rho->lo < 1) {
         throw InputError(
-            "no body with its mass between its contacts has these numbers: inertia times rho is "
-            "at least 1 (proofs/body.md, L70)");
+            "plain covers are of bodies with their mass between the contacts: inertia times rho is at least "
+            "1 (proofs/body.md, L70)");
     }
+    claim.system.section = Section::plain_body;
     return claim;
 }
 
@@ -121,8 +126,9 @@ std::vector<const Piece*> pieces_of(const Certificate& certificate) {
 std::string options_of(const Claim& claim) {
     const SectionRow &row = row_of(claim.system.section), &usual = row_of(Section());
     return (claim.system.rho || row.scene == usual.scene ? "" : fmt::format(" --scene {}", row.scene)) +
-           (claim.system.rho || row.section == usual.section ? ""
-                                                             : fmt::format(" --section {}", row.section)) +
+           (row.section == (claim.system.rho ? row_of(Section::body) : usual).section
+                ? ""
+                : fmt::format(" --section {}", row.section)) +
            (claim.gap == 0 ? "" : " --gap " + exact_text(claim.gap));
 }
 

@@ -26,6 +26,8 @@ struct Claim {
 /// Bodies with this rho and this inertia Q, each a number or LO:HI as a user writes it. Throws InputError,
 /// which names the option, if no body with its mass between its contacts has them (L70).
 [[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);
+/// The same body by plain covers (L71), as the sceptic has it. Throws InputError if Q rho < 1.
+[[nodiscard]] Claim by_plain_covers(Claim claim);
 /// The massless dumbbell with a rod of that mass as a body (L70 (d)).
 [[nodiscard]] Claim claim_of(const Rod& rod);
 /// Its gap is the widest that the certificate has; 0: it has none.

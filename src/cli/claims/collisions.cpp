@@ -22,10 +22,13 @@ collisions::Claim dumbbell_or_wedge(const Given& given, const RatioArgument& rat
 }  // namespace
 
 collisions::Claim claim_of(const Given& given, const std::optional<RatioArgument>& ratio) {
-    if (!ratio && given.has("--section")) {
-        throw InputError("bodies are of --scene body, without --section");
-    }
     collisions::Claim claim = ratio ? dumbbell_or_wedge(given, *ratio) : body_claim(given);
+    if (!ratio && given.has("--section")) {
+        if (given.text("--section") != "plain") {
+            throw InputError("bodies are proved by their tangents, or by --section plain");
+        }
+        claim = by_plain_covers(std::move(claim));
+    }
     claim.gap = parse_gap(given.text("--gap"));
     if (const auto reason = out_of_reach(claim)) {
         throw InputError(*reason);

@@ -22,12 +22,13 @@ template <class I>
 class Tangents {
   public:
     Tangents(const Rational& rho, const Rational& q, const Interrupted& interrupted)
-        : rho_(enclose<I>(rho)), r_(enclose<I>(1 / q)), interrupted_(interrupted) {}
+        : rho_(enclose<I>(rho)), r_(enclose<I>(1 / q)), is_symmetric_(rho == 1), interrupted_(interrupted) {}
 
     /// Upper bounds of f(e), of b(e), of J, each at most cap + 1 (L81, L82).
     [[nodiscard]] long upward(const I& e, long cap) const {
-        return certainly_less(e, half_pi<I>()) ? count(flight::tangent_upward(e, rho_, r_), cap)
-                                               : count({low_end(rho_), I(0), low_end(r_)}, cap);
+        return is_symmetric_                     ? 0  // over the top all is as high as the peaks
+               : certainly_less(e, half_pi<I>()) ? count(flight::tangent_upward(e, rho_, r_), cap)
+                                                 : count({low_end(rho_), I(0), low_end(r_)}, cap);
     }
     [[nodiscard]] long into_valley(const I& e, long cap) const {
         return flight::valley_hits_at_most(flight::tangent_into_valley(e, rho_, r_), rho_, cap, interrupted_);
@@ -63,6 +64,7 @@ class Tangents {
     }
 
     I rho_, r_;
+    bool is_symmetric_;
     const Interrupted& interrupted_;
 };
 

@@ -28,7 +28,8 @@ class Tangents : Bridge<N> {
         const mpq_class& lowest = leaf_.box.lo[3];
         return fact("R0 = R1", lowest == leaf_.box.hi[3]) &&
                fact("2 (a + b) < U", 2 * (leaf_.a + leaf_.b) < leaf_.claimed) &&
-               Base::at_most("f(e1) <= a", x1 < quarter.lo ? upward() : Ray{rho_lo, zero, r_lo}, leaf_.a) &&
+               (lowest == 1 ||  // f = 0: over the top all is as high as the peaks
+                Base::at_most("f(e1) <= a", x1 < quarter.lo ? upward() : Ray{rho_lo, zero, r_lo}, leaf_.a)) &&
                (leaf_.box.lo[0] > 0 ? fact("b(e0) <= b", hits_at_most(into_valley(), leaf_.b)) : corner());
     }
     /// At e = 0, J takes the place of b; and where U is odd the even value of Theorem B must not be reached.
