@@ -184,8 +184,8 @@ def states_at_most(chart, box, limit):
     return body.at_most(Flight(eta - cosine, None, place, sine), limit, False)
 
 
-def leaf(chart, op, hints, box):
-    return full.leaf(chart, op, hints, box, states_at_most)
+def leaf(chart, op, hints, box, upper):
+    return full.leaf(chart, op, hints, box, upper, states_at_most)
 
 
 class Bodies:

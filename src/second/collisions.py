@@ -4,6 +4,7 @@ import body
 import full
 import gaps
 import plain
+import tangents
 import turning
 import wedge
 from demand import interval_text, part_text, ratio_text
@@ -17,7 +18,8 @@ SECTIONS = {
     ("minimal", "dumbbell", "full"): plain,
     ("1", "wedge", "turning"): wedge,
     ("1", "hybrid", "turning"): wedge,
-    ("body", "body", "full"): body,
+    ("body", "body", "full"): body.Bodies,
+    ("body", "body", "tangents"): tangents.Tangents,
 }
 
 
@@ -95,14 +97,15 @@ def covered(intervals, low, high):
 def check(lines, header, judge):
     """Checks all after the line `claim`. `header` is a key of SECTIONS."""
     section, rho = SECTIONS[header], None
+    every_body = section is tangents.Tangents
     lo, hi = lines.line("ratio", "ratio", "ratio")
-    if not 1 <= lo <= hi:
+    if not (1 <= lo or every_body) or lo > hi:
         raise lines.wrong("number", "not 1 <= LO <= HI")
-    if section is body:
+    if header[1] == "body":
         rho = tuple(lines.line("rho", "ratio", "ratio"))
-        if not rho[0] <= rho[1] <= 1 <= lo * rho[0]:
+        if not (rho[0] <= rho[1] <= 1 and (every_body or 1 <= lo * rho[0])):
             raise lines.wrong("number", "not R0 <= R1 <= 1 <= LO R0")
-        section = body.Bodies(rho)
+        section = section(rho)
     number, = lines.line("pieces", "nat")
     if number == 0:
         raise lines.wrong("number", "no piece")
@@ -117,7 +120,7 @@ def check(lines, header, judge):
         pieces.append((a, b, *piece(lines, section, a, b, judge)))
     kinds = ["split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "open"]
     again = header[2] == "full" and not rho
-    if again or rho:
+    if again or (rho and not every_body):
         kinds.insert(7, "once" if again else "symmetric")
     return Staircase(header[1], rho, again, pieces, f"sha256={lines.trailer(kinds)}")
 
@@ -161,7 +164,7 @@ def cover(lines, section, a, b, upper, bits, judge):
         lines.count(op)
         if op == "count" and 1 + sum(values) > upper:
             raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
-        judge(lambda: section.leaf(chart, op, values, box), ends(box), bits, lines.wrong(op, "not certified"))
+        judge(lambda: section.leaf(chart, op, values, box, upper), ends(box), bits, lines.wrong(op, "not certified"))
 
     for number, chart in enumerate(section.LEAVES):
         fields = lines.next()

@@ -129,7 +129,7 @@ def rays_at_most(chart, box, limit):
     return departure_at_most(box, limit)
 
 
-def leaf(chart, op, hints, box, count=rays_at_most):
+def leaf(chart, op, hints, box, _upper, count=rays_at_most):
     """Sections differ in how they certify that from no state of a box there are more collisions than a leaf `count` says."""
     if op == "outside":
         return is_outside(chart, box)

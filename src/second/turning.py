@@ -87,7 +87,7 @@ def light_leaf(op, hints, box):
     return at_most(sine + kappa * (pi() + e), kappa, r_lo, hints[1])
 
 
-def leaf(chart, op, hints, box):
+def leaf(chart, op, hints, box, _upper):
     """Is the leaf's condition certified at this precision? (1 + a + b <= U is checked elsewhere.)"""
     return (bridge_leaf if chart == "bridge" else light_leaf)(op, hints, box)
 

@@ -31,7 +31,7 @@ def sigma_slope(steepness, r):
     return 2 + r * steepness - steepness, 1 + 2 * r * steepness - r
 
 
-def leaf(chart, op, hints, box):
+def leaf(chart, op, hints, box, _upper):
     (lambda0, lambda1), (q0, q1) = box["lambda"], box["q"]
     r_lo, r_hi = 1 / q1, 1 / q0
     if op == "outside":
