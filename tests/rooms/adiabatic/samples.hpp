@@ -2,26 +2,20 @@
 #pragma once
 
 #include <cmath>
-#include <random>
 
 #include "adiabatic/contact.hpp"
+#include "rooms/number/random.hpp"
 
 namespace dumbbell_test {
 
-class Samples {
-  public:
-    explicit Samples(unsigned seed) : engine_(seed) {}
+struct Samples : Random {
+    using Random::Random;
 
-    double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
-    double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
     /// An interval of at most this relative width around x.
     dumbbell::Interval around(double x, double width) {
         return {x * (1 - uniform(0, width)), x * (1 + uniform(0, width))};
     }
     double in(const dumbbell::Interval& x) { return uniform(x.lo(), x.hi()); }
-
-  private:
-    std::mt19937_64 engine_;
 };
 
 /// Whether an enclosure contains a number that was computed in long double.

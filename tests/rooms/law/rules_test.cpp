@@ -1,11 +1,10 @@
-#include <random>
-
 #include "catch.hpp"
 #include "law/bulk_rule.hpp"
 #include "law/end_rule.hpp"
 #include "law/functions.hpp"
 #include "law/layer_rule.hpp"
 #include "rooms/law/direct.hpp"
+#include "rooms/number/random.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::law;
@@ -19,12 +18,12 @@ Interval around(double x, double radius) { return {std::max(0.0, x - radius), x 
 }  // namespace
 
 TEST_CASE("the layer's rule contains steps evaluated directly") {
-    std::mt19937_64 random(20);
-    std::uniform_real_distribution<double> share(0, 1);
+    Random random(20);
     int seen = 0;
     while (seen < 60) {
-        const double U = 0.9 * std::pow(10, -4 * share(random)), rho = 0.2 * std::pow(10, -2 * share(random));
-        const DirectStep step = step_with(U, rho, Real(-0.02 + 5.3 * share(random)));
+        const double U = 0.9 * std::pow(10, -4 * random.uniform(0, 1)),
+                     rho = 0.2 * std::pow(10, -2 * random.uniform(0, 1));
+        const DirectStep step = step_with(U, rho, Real(-0.02 + 5.3 * random.uniform(0, 1)));
         if (step.eps > Real(1) / 1000) {
             continue;
         }
@@ -69,13 +68,12 @@ TEST_CASE("the layer's rule closes no box in which it fails, or does not apply")
 }
 
 TEST_CASE("the bulk's rule contains steps evaluated directly") {
-    std::mt19937_64 random(21);
-    std::uniform_real_distribution<double> share(0, 1);
+    Random random(21);
     for (int i = 0; i < 40; ++i) {
-        const double th = 0.01 + 0.78 * share(random);
-        const Real eps = pow(Real(10), Real(-3 - 4 * share(random)));
+        const double th = 0.01 + 0.78 * random.uniform(0, 1);
+        const Real eps = pow(Real(10), Real(-3 - 4 * random.uniform(0, 1)));
         // The step of this eps and angle: its mid-point by Q, its half width by the clock's rule.
-        const Real Q = dumbbell_oracle::pi<Real>() / 2 + eps * eps * Real(2 * share(random) - 1);
+        const Real Q = dumbbell_oracle::pi<Real>() / 2 + eps * eps * Real(2 * random.uniform(0, 1) - 1);
         const Real F = Q / cos(Real(th)), U = dumbbell_oracle::pi<Real>() - F;
         const DirectStep step(U, asin(eps * tan(Real(th)) * F / sin(U)) / U, Q);
         CHECK(abs(step.eps - eps) < 1e-50);
@@ -98,11 +96,10 @@ TEST_CASE("the bulk's rule contains steps evaluated directly") {
 }
 
 TEST_CASE("the rule of the end contains ends evaluated directly") {
-    std::mt19937_64 random(22);
-    std::uniform_real_distribution<double> share(0, 1);
+    Random random(22);
     const Real pi = dumbbell_oracle::pi<Real>(), k0 = dumbbell_oracle::law::k0<Real>();
     for (int i = 0; i < 40; ++i) {
-        const double d = 0.0713 * std::pow(10, -3 * share(random));
+        const double d = 0.0713 * std::pow(10, -3 * random.uniform(0, 1));
         const Real u = 2 * Real(d);
         // Tangent: 1 - cos u + rk = kappa (2 pi - u).
         Real kappa = 0;
@@ -111,7 +108,7 @@ TEST_CASE("the rule of the end contains ends evaluated directly") {
             kappa = (1 - cos(u) + rk) / (2 * pi - u);
         }
         // alpha, th by J = pi/2 - share eps^2/u^3.
-        const Real wanted_share = Real(5.2 * share(random));
+        const Real wanted_share = Real(5.2 * random.uniform(0, 1));
         Real th = acos(pi / 2 / (pi - Real(d))), eps = 0, J = 0;
         for (int k = 0; k < 200; ++k) {
             eps = kappa / tan(th);

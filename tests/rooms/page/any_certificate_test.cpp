@@ -75,16 +75,6 @@ TEST_CASE("an unknown claim, no certificate and no file are refused") {
                       Contains("no page and no picture shows that; dumbbell verify checks it"));
 }
 
-TEST_CASE("a file with more than one gzip member is not read") {
-    const TemporaryFolder folder;
-    AtomicFile(folder / "good.dbc.gz").commit(initial_text().text);
-    const std::string packed = contents(folder / "good.dbc.gz");
-    for (const std::string& after : {std::string("x\n"), packed}) {
-        write_file(folder / "bad.dbc", packed + after);
-        CHECK_THROWS_WITH(read_any_certificate(folder / "bad.dbc"), Contains("bytes after the gzip member"));
-    }
-}
-
 TEST_CASE("a certificate that cannot be read is not called something else") {
     const TemporaryFolder folder;
     write_file(folder / "file.dbc", initial_text().text);

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <sstream>
 
 #include "catch.hpp"
 #include "file/sha256.hpp"
 #include "rooms/starts/box.hpp"
 #include "starts/answer/writer.hpp"
 #include "starts/cover/subdivide.hpp"
+#include "temporary_folder.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::starts;
@@ -22,15 +22,6 @@ Certificate certificate_of(const Box& box, const Subdivision& parts) {
     return {.generator = {"dumbbell", "0.1.0"}, .box = box, .bits = 53, .tree = parts.tree.nodes()};
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
-
 long lines_with(const std::vector<std::string>& lines, const std::string& begin) {
     return std::count_if(lines.begin(), lines.end(),
                          [&](const std::string& l) { return l.rfind(begin, 0) == 0; });
@@ -41,7 +32,7 @@ long lines_with(const std::vector<std::string>& lines, const std::string& begin)
 TEST_CASE("A certificate of initial conditions is spelt as its page says") {
     const auto parts = subdivide(falling(), {.max_boxes = 300, .jobs = 2});
     const SealedText written = render(certificate_of(falling(), parts));
-    const auto lines = lines_of(written.text);
+    const auto lines = dumbbell_test::lines_of(written.text);
     const std::vector<std::string> header{"dumbbell-certificate 1",
                                           "generator dumbbell 0.1.0",
                                           "lemmas 1",

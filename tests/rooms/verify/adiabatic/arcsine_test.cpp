@@ -2,37 +2,22 @@
 // used; and f = pi - arccos y of a contact, which rests on it.
 #include "verify/adiabatic/arcsine.hpp"
 
-#include <random>
-
 #include "catch.hpp"
+#include "rooms/number/random.hpp"
+#include "rooms/number/tightest.hpp"
 #include "scale.hpp"
 #include "verify/adiabatic/contact.hpp"
 #include "verify/core/big.hpp"
 
 using namespace dumbbell_verify;
+using dumbbell_test::Mpfr;
 using dumbbell_verify::adiabatic::arcsine_share;
 using dumbbell_verify::adiabatic::Masses;
 using dumbbell_verify::adiabatic::Touch;
 
 namespace {
 
-std::mt19937_64 arcsine_engine(20250611);
-double arcsine_uniform(double lo, double hi) {
-    return std::uniform_real_distribution<double>(lo, hi)(arcsine_engine);
-}
-
-/// A number with 5000 bits.
-class LongBinary {
-  public:
-    LongBinary() { mpfr_init2(x_, 5000); }
-    LongBinary(const LongBinary&) = delete;
-    LongBinary& operator=(const LongBinary&) = delete;
-    ~LongBinary() { mpfr_clear(x_); }
-    mpfr_ptr get() { return x_; }
-
-  private:
-    mpfr_t x_;
-};
+dumbbell_test::Random arcsine_random(20250611);
 
 mpq_class exact_rational(double x) { return mpq_class(x); }
 mpq_class exact_rational(const Big& x) {
@@ -41,24 +26,23 @@ mpq_class exact_rational(const Big& x) {
     return q;
 }
 /// In this many bits, so that its error is far below all that is compared.
-mpq_class share(const mpq_class& z, mpfr_prec_t bits) {
+mpq_class share(const mpq_class& z, int bits) {
     if (z == 0) return 1;
-    LongBinary x;
-    mpfr_set_prec(x.get(), bits);
-    mpfr_set_q(x.get(), z.get_mpq_t(), MPFR_RNDN);
-    mpfr_asin(x.get(), x.get(), MPFR_RNDN);
+    Mpfr x(bits, 0);
+    mpfr_set_q(x, z.get_mpq_t(), MPFR_RNDN);
+    mpfr_asin(x, x, MPFR_RNDN);
     mpq_class q;
-    mpfr_get_q(q.get_mpq_t(), x.get());
+    mpfr_get_q(q.get_mpq_t(), x);
     return q / z;
 }
-double arcsine_power_of_two(double lo, double hi) { return std::exp2(arcsine_uniform(lo, hi)); }
+double arcsine_power_of_two(double lo, double hi) { return std::exp2(arcsine_random.uniform(lo, hi)); }
 
 }  // namespace
 
 TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") {
     for (long i = 0; i < scaled(4'000); ++i) {
         const double z = i % 3 == 0   ? arcsine_power_of_two(-400, -1)
-                         : i % 3 == 1 ? arcsine_uniform(0, 0.89)
+                         : i % 3 == 1 ? arcsine_random.uniform(0, 0.89)
                                       : 1 - arcsine_power_of_two(-40, -3);
         const Interval<double> enclosed = arcsine_share(Interval<double>(z));
         const mpq_class value = share(exact_rational(z), 1200);
@@ -72,10 +56,11 @@ TEST_CASE("arcsine: the share encloses, and is tight where a contact needs it") 
 
 TEST_CASE("arcsine: of intervals, every number in them") {
     for (long i = 0; i < scaled(4'000); ++i) {
-        const double lo = arcsine_uniform(-0.2, 0.95), hi = std::min(1.0, lo + arcsine_power_of_two(-40, -2));
+        const double lo = arcsine_random.uniform(-0.2, 0.95),
+                     hi = std::min(1.0, lo + arcsine_power_of_two(-40, -2));
         const Interval<double> enclosed = arcsine_share(Interval<double>(lo, hi));
         for (int j = 0; j < 4; ++j) {
-            const double z = j == 0 ? lo : j == 1 ? hi : arcsine_uniform(lo, hi);
+            const double z = j == 0 ? lo : j == 1 ? hi : arcsine_random.uniform(lo, hi);
             if (!(z >= lo && z < 1)) continue;
             const mpq_class value = share(exact_rational(std::abs(z)), 300);
             INFO(z << " in [" << lo << ", " << hi << "]: " << enclosed.lo << " " << enclosed.hi);
@@ -100,7 +85,7 @@ TEST_CASE("arcsine: nothing is said of numbers that reach 1, and 0 has the share
 }
 
 TEST_CASE("arcsine: the share encloses and is tight at any precision") {
-    for (const mpfr_prec_t bits : {53, 100, 256, 512}) {
+    for (const int bits : {53, 100, 256, 512}) {
         Big::precision = bits;
         for (int i = 0; i <= 66; ++i) {
             const Big z = bound(down, mpq_class(i, 100), Big());
@@ -126,10 +111,10 @@ TEST_CASE("arcsine: f of a contact is enclosed over ranges of u and delta, and t
         for (int j = 0; j < 4; ++j) {
             const double d = j == 0   ? range.lo
                              : j == 1 ? range.hi
-                                      : arcsine_uniform(range.lo, range.hi),
+                                      : arcsine_random.uniform(range.lo, range.hi),
                          v = j == 0   ? angle.hi
                              : j == 1 ? angle.lo
-                                      : arcsine_uniform(angle.lo, angle.hi);
+                                      : arcsine_random.uniform(angle.lo, angle.hi);
             if (d < range.lo || d > range.hi || v < angle.lo || v > angle.hi) continue;
             const long double y = (1 - static_cast<long double>(d) * d) *
                                   std::cos(static_cast<long double>(v)),

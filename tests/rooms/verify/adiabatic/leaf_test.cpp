@@ -37,6 +37,12 @@ void narrow(adiabatic::Leaf& leaf, std::size_t axis, double lo, double hi, doubl
     leaf.box.lo.at(axis) = mpq_class(from);
     leaf.box.hi.at(axis) = mpq_class(std::max(from, until));
 }
+Real within(const adiabatic::Leaf& leaf, std::size_t axis) {
+    return make::within(leaf.box.lo.at(axis), leaf.box.hi.at(axis));
+}
+bool holds(const adiabatic::Leaf& leaf, std::size_t axis, Real x) {
+    return leaf.box.lo.at(axis).get_d() <= x && x <= leaf.box.hi.at(axis).get_d();
+}
 double power_of_two(double lo, double hi) { return std::exp2(uniform(lo, hi)); }
 
 }  // namespace
@@ -62,9 +68,8 @@ TEST_CASE("adiabatic: no accepted leaf of a class holds a flight that drifts mor
         const bool accepted = adiabatic::check_leaf(leaf, nullptr) == nullptr;
         (leaf.outside ? outsides : bounds) += accepted;
         for (int j = 0; j < 10; ++j) {
-            const Real d = within(leaf.box.lo[adiabatic::axis_delta], leaf.box.hi[adiabatic::axis_delta]),
-                       top = within(leaf.box.lo[adiabatic::axis_u], leaf.box.hi[adiabatic::axis_u]),
-                       steep = within(leaf.box.lo[adiabatic::axis_sigma], leaf.box.hi[adiabatic::axis_sigma]);
+            const Real d = within(leaf, adiabatic::axis_delta), top = within(leaf, adiabatic::axis_u),
+                       steep = within(leaf, adiabatic::axis_sigma);
             const Plain plain(d);
             const Real x2 = pi_real / 2 - top, k = steep * std::sqrt(plain.r);
             if (x2 < 0 || top < claim.margin.get_d() || k > std::cos(x2)) continue;
@@ -124,9 +129,8 @@ TEST_CASE("adiabatic: no accepted leaf of one bounce holds a state with greater 
         const bool accepted = adiabatic::check_leaf(leaf, nullptr) == nullptr;
         (leaf.outside ? outsides : bounds) += accepted;
         for (int j = 0; j < 4; ++j) {
-            const Real d = within(leaf.box.lo[adiabatic::axis_delta], leaf.box.hi[adiabatic::axis_delta]),
-                       angle = within(leaf.box.lo[adiabatic::axis_u], leaf.box.hi[adiabatic::axis_u]),
-                       climb = within(leaf.box.lo[adiabatic::axis_s], leaf.box.hi[adiabatic::axis_s]);
+            const Real d = within(leaf, adiabatic::axis_delta), angle = within(leaf, adiabatic::axis_u),
+                       climb = within(leaf, adiabatic::axis_s);
             if (angle >= pi_real / 2 || angle < claim.margin.get_d() * std::pow(d, static_cast<Real>(k)))
                 continue;
             const AdiabaticOrbit orbit(angle, climb, d, engine()() % 2 == 0);
@@ -243,27 +247,17 @@ std::array<long, 4> try_run_leaf(adiabatic::Claim::Kind kind, long trials) {
         const Real C =
             claim.bounds[0].get_d() * (whole ? std::sqrt(static_cast<Real>(delta)) : delta) + 1e-12L;
         for (int j = 0; j < 3; ++j) {
-            const Real angle = j == 0
-                                   ? u
-                                   : within(leaf.box.lo[adiabatic::axis_u], leaf.box.hi[adiabatic::axis_u]),
-                       climb = j == 0
-                                   ? s
-                                   : within(leaf.box.lo[adiabatic::axis_s], leaf.box.hi[adiabatic::axis_s]);
+            const Real angle = j == 0 ? u : within(leaf, adiabatic::axis_u),
+                       climb = j == 0 ? s : within(leaf, adiabatic::axis_s);
             if (angle < least || angle >= pi_real / 2) continue;
-            if (j == 0 && (angle < leaf.box.lo[adiabatic::axis_u].get_d() ||
-                           angle > leaf.box.hi[adiabatic::axis_u].get_d() ||
-                           climb < leaf.box.lo[adiabatic::axis_s].get_d() ||
-                           climb > leaf.box.hi[adiabatic::axis_s].get_d()))
-                continue;
+            if (!holds(leaf, adiabatic::axis_u, angle) || !holds(leaf, adiabatic::axis_s, climb)) continue;
             const AdiabaticOrbit orbit(angle, climb, delta, engine()() % 2 == 0);
             if (whole ? !orbit.is_whole()
                       : orbit.y(0) < claim.y_lo.get_d() || orbit.y(0) > claim.y_hi.get_d())
                 continue;
             for (std::size_t m = whole ? orbit.size() - 1 : 0; m < orbit.size(); ++m) {
                 if (!orbit.light(m) || orbit.u(m) < least) break;
-                if (orbit.u(m) < leaf.box.lo[adiabatic::axis_v].get_d() ||
-                    orbit.u(m) > leaf.box.hi[adiabatic::axis_v].get_d())
-                    continue;
+                if (!holds(leaf, adiabatic::axis_v, orbit.u(m))) continue;
                 const Real I = whole ? orbit.I_after(m) : orbit.I_before(m);
                 const bool breaks = leaf.outside || std::abs(I - orbit.I_before(0)) > C;
                 INFO("u " << angle << " s " << climb << " delta " << delta << " collision " << m << " at "

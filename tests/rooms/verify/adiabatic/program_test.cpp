@@ -39,13 +39,13 @@ TEST_CASE("adiabatic: the verdict states the claim, C and C/B rounded up, B roun
 
 TEST_CASE("adiabatic: over a range of delta the verdict says at which of them a value is attained") {
     dumbbell_verify::adiabatic::Claim claim = small_run().terms.claim;
-    CHECK(claim.text().find(" at=") == std::string::npos);
+    CHECK_FALSE(has(claim.text(), " at="));
     claim.delta_lo = 0;
-    CHECK(claim.text().find(" B=9.300000 at=1/20 ratio=") != std::string::npos);
+    CHECK(has(claim.text(), " B=9.300000 at=1/20 ratio="));
     claim = small_bounce().terms.claim;
     claim.delta_lo = mpq_class(1, 25);
-    CHECK(claim.text().find(" at1=1/20 ") != std::string::npos);
-    CHECK(claim.text().find(" at2=1/20 ") != std::string::npos);
+    CHECK(has(claim.text(), " at1=1/20 "));
+    CHECK(has(claim.text(), " at2=1/20 "));
 }
 
 TEST_CASE("adiabatic: a value of 0 has no ratio") {
@@ -62,9 +62,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     const auto code = [&](const std::string& options) { return run(options + " " + file.path()).code; };
     for (const char* demand : {"--max 5", "--min 1", "--exactly 2", "--ratio 399"}) {
         CHECK(code(demand) == 2);
-        CHECK(
-            run(std::string(demand) + " " + file.path()).last().find("this file's claim is adiabatic-run") !=
-            std::string::npos);
+        CHECK(has(run(std::string(demand) + " " + file.path()).last(), "this file's claim is adiabatic-run"));
     }
     CHECK(code("--claim initial-conditions --max 3") == 2);
     CHECK(code("--claim adiabatic-run --max 3") == 2);
@@ -114,7 +112,7 @@ TEST_CASE("adiabatic: --json, --junit and --explain") {
     CHECK(run("--junit " + report + " " + file.path()).code == 0);
     std::ostringstream xml;
     xml << std::ifstream(report).rdbuf();
-    CHECK(xml.str().find("claim=adiabatic-run delta=1/20:1/20") != std::string::npos);
+    CHECK(has(xml.str(), "claim=adiabatic-run delta=1/20:1/20"));
     unlink(report.c_str());
     const Run root = run("--explain class0.0 " + file.path());
     CHECK(run("--explain box " + file.path()).code == 2);

@@ -2,9 +2,8 @@
 // a small box it is so narrow that a wrong constant or sign would not.
 #include "verify/law/leaf.hpp"
 
-#include <random>
-
 #include "catch.hpp"
+#include "rooms/number/random.hpp"
 #include "scale.hpp"
 #include "truth.hpp"
 #include "verify/core/big.hpp"
@@ -15,12 +14,7 @@ using law_truth::enclosure;
 
 namespace {
 
-std::mt19937_64 law_engine(20261122);
-double law_uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(law_engine() >> 11) * 0x1p-53);
-}
-/// Of any size between the two, each as likely.
-double any_size(double lo, double hi) { return lo * std::pow(hi / lo, law_uniform(0, 1)); }
+dumbbell_test::Random law_random(20261122);
 
 const char* const excess_fact = "(1 - D/D0(T))/y - 5/(3 pi) is not too small";
 const char* const drift_fact = "a/(2 ehat^2)";
@@ -57,7 +51,7 @@ law::Leaf layer_leaf(law::Leaf::Rule rule, double U, double rho, double width_U,
     leaf.rule = rule;
     const double point[] = {U, rho}, width[] = {width_U, width_rho}, most[] = {0.9, 0.2};
     for (std::size_t i = 0; i < 2; ++i) {
-        const double lo = std::max(0.0, point[i] - law_uniform(0, width[i]));
+        const double lo = std::max(0.0, point[i] - law_random.uniform(0, width[i]));
         leaf.box.lo.at(i) = mpq_class(lo);
         leaf.box.hi.at(i) = mpq_class(std::max(point[i], std::min(most[i], lo + width[i])));
     }
@@ -99,13 +93,13 @@ TEST_CASE("law: a box of the layer holds the defect and the drift of its steps")
     long passed = 0;
     const long boxes = scaled(100);
     for (long i = 0; i < boxes; ++i) {
-        const double U = i % 4 == 0 ? any_size(1e-6, 0.9) : law_uniform(0.01, 0.9);
-        const double rho = any_size(1e-5, std::min(0.2, 2e-3 / (U * U)));
-        const LayerTruth truth(U, rho, law_uniform(0, 1));
+        const double U = i % 4 == 0 ? law_random.log_uniform(1e-6, 0.9) : law_random.uniform(0.01, 0.9);
+        const double rho = law_random.log_uniform(1e-5, std::min(0.2, 2e-3 / (U * U)));
+        const LayerTruth truth(U, rho, law_random.uniform(0, 1));
         if (truth.eps > 1e-3) continue;
         for (const double widest : {0.002, 0.02}) {
-            law::Leaf leaf =
-                layer_leaf(law::Leaf::slope, U, rho, any_size(1e-9, widest), any_size(1e-9, widest / 4));
+            law::Leaf leaf = layer_leaf(law::Leaf::slope, U, rho, law_random.log_uniform(1e-9, widest),
+                                        law_random.log_uniform(1e-9, widest / 4));
             Log log;
             passed += law::check_layer(leaf, &log) == nullptr;
             const auto excess = enclosure(log.text, excess_fact);
@@ -151,8 +145,8 @@ TEST_CASE("law: if J is known, a point of the layer is known to many digits") {
     exact.drift = exact.rise = 0;
     exact.parts = 200;
     for (long i = 0; i < scaled(60); ++i) {
-        const double U = i % 2 == 0 ? any_size(1e-3, 0.9) : law_uniform(0.1, 0.9);
-        const double rho = any_size(1e-4, std::min(0.2, 2e-3 / (U * U)));
+        const double U = i % 2 == 0 ? law_random.log_uniform(1e-3, 0.9) : law_random.uniform(0.1, 0.9);
+        const double rho = law_random.log_uniform(1e-4, std::min(0.2, 2e-3 / (U * U)));
         const LayerTruth truth(U, rho, 0, 1, 0);
         law::Leaf leaf;
         leaf.rule = law::Leaf::slope;
@@ -214,8 +208,9 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
     for (long i = 0; i < scaled(40); ++i) {
         const std::size_t range = static_cast<std::size_t>(i) % 3;
         const double ends[] = {0.002, 0.6, 0.7, 0.7944};
-        const double th = law_uniform(ends[range], ends[range + 1]), eps = any_size(1e-8, 1e-3);
-        const double offset = law_uniform(-1e-5, 3e-5);
+        const double th = law_random.uniform(ends[range], ends[range + 1]),
+                     eps = law_random.log_uniform(1e-8, 1e-3);
+        const double offset = law_random.uniform(-1e-5, 3e-5);
         const law_truth::Real Q = law_truth::pi() / 2 + law_truth::Real(offset),
                               F = Q / cos(law_truth::Real(th)), U = law_truth::pi() - F;
         const law_truth::Step step(U, asin(law_truth::Real(eps) * tan(law_truth::Real(th)) * F / sin(U)) / U,
@@ -229,8 +224,8 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
         law::Leaf leaf;
         leaf.rule = law::Leaf::bulk;
         leaf.range = range;
-        const double width = any_size(1e-9, 1e-3);
-        leaf.box.lo[0] = mpq_class(th - law_uniform(0, width));
+        const double width = law_random.log_uniform(1e-9, 1e-3);
+        leaf.box.lo[0] = mpq_class(th - law_random.uniform(0, width));
         leaf.box.hi[0] = leaf.box.lo[0] + mpq_class(width);
         if (leaf.box.hi[0] < mpq_class(th)) leaf.box.hi[0] = mpq_class(th);
         Log log;
@@ -266,8 +261,8 @@ TEST_CASE("law: a part of the bulk holds the defect and the drift of its steps")
 
 TEST_CASE("law: a part of the end holds what the last contact loses") {
     for (long i = 0; i < scaled(20); ++i) {
-        const double d_ = i % 3 == 0 ? any_size(1e-8, 0.07) : law_uniform(1e-3, 0.0713),
-                     share = law_uniform(0, 1);
+        const double d_ = i % 3 == 0 ? law_random.log_uniform(1e-8, 0.07) : law_random.uniform(1e-3, 0.0713),
+                     share = law_random.uniform(0, 1);
         const law_truth::Real d = d_;
         law_truth::Real Q = law_truth::pi() / 2;
         const bool exact = i % 2 == 0;  // J = pi/2
@@ -285,7 +280,7 @@ TEST_CASE("law: a part of the end holds what the last contact loses") {
         const law_truth::Real truth = (loss - law_truth::k0() * sqrt(end.eps)) / end.eps;
         law::Leaf leaf;
         leaf.rule = law::Leaf::end;
-        leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - law_uniform(0, 3e-5)));
+        leaf.box.lo[0] = mpq_class(std::max(0.0, d_ - law_random.uniform(0, 3e-5)));
         leaf.box.hi[0] = mpq_class(std::max(d_, leaf.box.lo[0].get_d() + 6e-5));
         law::States known;
         known.drift = known.rise = 0;

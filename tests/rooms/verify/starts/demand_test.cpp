@@ -11,6 +11,7 @@
 namespace starts = dumbbell_verify::starts;
 using make::falling;
 using make::File;
+using make::has;
 using make::run;
 
 TEST_CASE("the shares of the leaves in a part of the box are those of a partition, also of points") {
@@ -62,8 +63,9 @@ TEST_CASE("initial conditions: a part of the box has the bounds and the share of
         CHECK(code(outside) == 1);
     const std::string part =
         run("--claim initial-conditions --phi 1/2:1 --min 1 --ratio 10 " + file.path()).out;
-    CHECK(part.find("  Proved: for every start in the demanded part of the box the dumbbell hits the floor 1 "
-                    "time.\n  Not demanded: phidot, y, ydot, max, decided.\n") != std::string::npos);
+    CHECK(has(part,
+              "  Proved: for every start in the demanded part of the box the dumbbell hits the floor 1 "
+              "time.\n  Not demanded: phidot, y, ydot, max, decided.\n"));
     CHECK(
         part.ends_with(" demanded-ratio=10/1:10/1 min=1 demanded-claim=initial-conditions "
                        "demanded-phi=1/2:1/1 not-demanded=phidot,y,ydot,max,decided\n"));
@@ -77,7 +79,7 @@ TEST_CASE("initial conditions: a part of the box has the bounds and the share of
     CHECK(run("--scene dumbbell " + file.path())
               .last()
               .ends_with(" not-demanded=phi,phidot,y,ydot,ratio,max,min,decided"));
-    CHECK(run(file.path()).last().find("not-demanded") == std::string::npos);
+    CHECK_FALSE(has(run(file.path()).last(), "not-demanded"));
     const File open(
         make::closed(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
                      "between 0 none\nsplit phi\nopen\nbetween 1 99\n"));
@@ -104,6 +106,6 @@ TEST_CASE("options that do not fit the kind of claim, or are no numbers, are wro
         const make::Run said = run(options + " no.dbc");
         INFO(options << ": " << said.err);
         CHECK(said.code == 2);
-        CHECK(said.err.find(message) != std::string::npos);
+        CHECK(has(said.err, message));
     }
 }

@@ -5,6 +5,7 @@
 
 using make::falling;
 using make::File;
+using make::has;
 using make::mutated;
 using make::Run;
 using make::run;
@@ -24,7 +25,7 @@ TEST_CASE("initial conditions: the verdict names the box, the bounds and the sha
     CHECK(run(bad.path()).code == 1);
     CHECK(run(bad.path()).last() ==
           "s REJECTED line=36 code=exactly not certified: at least so many collisions");
-    CHECK(run(bad.path()).out.find("VERIFIED") == std::string::npos);
+    CHECK_FALSE(has(run(bad.path()), "VERIFIED"));
     CHECK(run("--precision 120 " + good.path()).code == 0);
     CHECK(run("--jobs 1 " + good.path()).out == run("--jobs 7 " + good.path()).out);
 }
@@ -34,8 +35,7 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     const auto code = [&](const std::string& options) { return run(options + " " + file.path()).code; };
     for (const char* demand : {"--max 5", "--min 1", "--exactly 2", "--ratio 10"}) {
         CHECK(code(demand) == 2);
-        CHECK(run(std::string(demand) + " " + file.path()).last().find("--claim initial-conditions") !=
-              std::string::npos);
+        CHECK(has(run(std::string(demand) + " " + file.path()).last(), "--claim initial-conditions"));
     }
     CHECK(code(ask) == 0);
     CHECK(code(ask + "--max 5") == 0);
@@ -52,7 +52,7 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     const File open(
         make::closed(make::initial_header("10/1 10/1", "0/1 1/1", "1/1 1/1", "2/1 2/1", "-1/1 -1/1") +
                      "between 0 none\nopen\n"));
-    CHECK(run(open.path()).last().find(" collisions=0:none decided=0.000000000000 ") != std::string::npos);
+    CHECK(has(run(open.path()).last(), " collisions=0:none decided=0.000000000000 "));
     CHECK(run(ask + "--max 999 " + open.path()).code == 1);
     const File ten(make::ten());
     CHECK(run("--claim collisions --max 4 " + ten.path()).code == 0);
@@ -63,18 +63,17 @@ TEST_CASE("initial conditions: --json and --explain") {
     const File file(falling());
     const Run json = run("--json " + file.path());
     CHECK(json.code == 0);
-    CHECK(json.out.find(
+    CHECK(has(json,
               "\"claim\":{\"kind\":\"initial-conditions\",\"box\":{\"phi\":{\"lo\":\"-1/1\",\"hi\":\"1/"
-              "1\"}") != std::string::npos);
-    CHECK(json.out.find("\"least\":1,\"most\":5,\"decided\":\"25/32\"}") != std::string::npos);
-    CHECK(json.out.find("\"leaves\":{\"split\":11,\"exactly\":7,\"between\":5,\"open\":0}") !=
-          std::string::npos);
+              "1\"}"));
+    CHECK(has(json, "\"least\":1,\"most\":5,\"decided\":\"25/32\"}"));
+    CHECK(has(json, "\"leaves\":{\"split\":11,\"exactly\":7,\"between\":5,\"open\":0}"));
     const Run leaf = run("--explain box.11 " + file.path());
     CHECK(leaf.code == 0);
     CHECK(leaf.out.find("box.11, line 36: exactly 1 heavy 91b-6 373b-8\n") == 0);
-    CHECK(leaf.out.find("phi in [1/2, 1]") != std::string::npos);
-    CHECK(leaf.out.find("falling in [t0, t1]: holds") != std::string::npos);
-    CHECK(leaf.out.find("  certified\n") != std::string::npos);
+    CHECK(has(leaf, "phi in [1/2, 1]"));
+    CHECK(has(leaf, "falling in [t0, t1]: holds"));
+    CHECK(has(leaf, "  certified\n"));
     for (const char* none : {"box.1", "box", "1:box", "box.111"}) {
         CHECK(run(std::string("--explain ") + none + " " + file.path()).code == 2);
     }
@@ -111,19 +110,20 @@ TEST_CASE("initial conditions: with just too little memory for a deep tree that 
 TEST_CASE("initial conditions: --shares prints bounds from the leaves, of such a file and of one only") {
     const File file(falling());
     const std::string shown = run("--shares " + file.path()).out;
-    CHECK(shown.find("  collisions  share of the box with exactly that many: proved bounds\n"
-                     "           0  0.000000000000 to 0.000000000000\n") != std::string::npos);
+    CHECK(has(shown,
+              "  collisions  share of the box with exactly that many: proved bounds\n"
+              "           0  0.000000000000 to 0.000000000000\n"));
     CHECK(shown.substr(shown.rfind("\ns ")) ==
           run(file.path()).out.substr(run(file.path()).out.rfind("\ns ")));
-    CHECK(run(file.path()).out.find("proved bounds") == std::string::npos);
-    CHECK(run("--shares --json " + file.path())
-              .out.find(R"("shares":[{"least":0,"most":0,"lo":"0/1","hi":"0/1"})") != std::string::npos);
-    CHECK(run("--json " + file.path()).out.find("shares") == std::string::npos);
+    CHECK_FALSE(has(run(file.path()), "proved bounds"));
+    CHECK(has(run("--shares --json " + file.path()),
+              R"("shares":[{"least":0,"most":0,"lo":"0/1","hi":"0/1"})"));
+    CHECK_FALSE(has(run("--json " + file.path()), "shares"));
     CHECK(run("--shares " + file.path() + " " + file.path()).code == 2);
     CHECK(run("--shares --quiet " + file.path()).code == 2);
     const File ten(make::ten());
     CHECK(run("--shares " + ten.path()).code == 2);
-    CHECK(run("--shares " + ten.path()).last().find("dumbbell trace --subdivide") != std::string::npos);
+    CHECK(has(run("--shares " + ten.path()).last(), "dumbbell trace --subdivide"));
     const File bad(mutated(falling(), "exactly 1 heavy", "exactly 2 heavy"));
-    CHECK(run("--shares " + bad.path()).out.find("proved bounds") == std::string::npos);
+    CHECK_FALSE(has(run("--shares " + bad.path()), "proved bounds"));
 }

@@ -1,9 +1,9 @@
 // The enclosures under a check of initial conditions hold for random states in their boxes: the first
 // contact's angle and the rays after a reflection, against bisection and the law (1) of L0 in long double.
 #include <cmath>
-#include <random>
 
 #include "catch.hpp"
+#include "rooms/number/random.hpp"
 #include "scale.hpp"
 #include "verify/functions/exact_value.hpp"
 #include "verify/starts/reflection.hpp"
@@ -19,15 +19,12 @@ using LongDouble = long double;
 using Doubles = Interval<double>;
 constexpr LongDouble pi_long = 3.14159265358979323846264338327950288L;
 
-std::mt19937_64& step_engine() {
-    static std::mt19937_64 random(2024);
-    return random;
-}
-double step_uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(step_engine()); }
+dumbbell_test::Random step_random(2024);
+
 Doubles around(double lo, double width) { return {lo, lo + width}; }
 /// A number of X, often an end.
 double in(const Doubles& x) {
-    return step_engine()() % 3 == 0 ? x.lo : step_engine()() % 2 == 0 ? x.hi : step_uniform(x.lo, x.hi);
+    return step_random.below(3) == 0 ? x.lo : step_random.coin() ? x.hi : step_random.uniform(x.lo, x.hi);
 }
 bool step_holds(const Doubles& x, LongDouble value) {
     const LongDouble tolerance = 1e-13L * (1 + std::abs(value));
@@ -54,15 +51,15 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
     const long boxes = scaled(3'000);
     long found[2] = {0, 0}, narrow = 0;
     for (long i = 0; i < boxes; ++i) {
-        const double size = std::exp2(step_uniform(-20, -3));
+        const double size = std::exp2(step_random.uniform(-20, -3));
         const auto rational = [](double x) { return mpq_class(x); };
         // One wide side or all of them.
-        const std::size_t wide = step_engine()() % 6;
+        const std::size_t wide = step_random.below(6);
         const auto width = [&](std::size_t k) {
-            return wide == 5 || wide == k ? size * step_uniform(0, 1) : 0;
+            return wide == 5 || wide == k ? size * step_random.uniform(0, 1) : 0;
         };
-        const std::array lo{step_uniform(-4, 4), step_uniform(-2, 2), step_uniform(1, 2),
-                            -step_uniform(0.1, 2), step_uniform(1, 12)};
+        const std::array lo{step_random.uniform(-4, 4), step_random.uniform(-2, 2), step_random.uniform(1, 2),
+                            -step_random.uniform(0.1, 2), step_random.uniform(1, 12)};
         starts::Box box;
         std::array<double, 5> hi{};
         for (std::size_t k = 0; k < 5; ++k) {
@@ -71,7 +68,7 @@ TEST_CASE("initial conditions: the enclosure of the first contact's angle holds,
             box.hi.at(k) = rational(hi.at(k));
         }
         const Flight<double> flight(box);
-        const bool heavy = step_engine()() % 2 == 0;
+        const bool heavy = step_random.coin();
         struct Start {
             LongDouble phi, w, h, v, r;
             [[nodiscard]] LongDouble clearance(bool heavy, LongDouble t) const {
@@ -114,15 +111,16 @@ TEST_CASE("initial conditions: steps off the bridge and off a light wall hold fo
     const long boxes = scaled(8'000);
     long bridge[2] = {0, 0}, light = 0, last = 0, far = 0, dives = 0;
     for (long i = 0; i < boxes; ++i) {
-        const double size = std::exp2(step_uniform(-16, -3));
-        const Doubles r = around(1 / step_uniform(1.05, 40), 0);
-        const Doubles ratio(r.lo, std::min(1.0, r.lo * (1 + size * step_uniform(0, 1))));
+        const double size = std::exp2(step_random.uniform(-16, -3));
+        const Doubles r = around(1 / step_random.uniform(1.05, 40), 0);
+        const Doubles ratio(r.lo, std::min(1.0, r.lo * (1 + size * step_random.uniform(0, 1))));
         Departures<double> departures(ratio, nullptr);
-        const bool low = step_engine()() % 2 == 0;  // heights that meet the bridge, and such that do not
+        const bool low = step_random.coin();  // heights that meet the bridge, and such that do not
         const Doubles height =
-            around(low ? r.lo * step_uniform(0.01, 1) : step_uniform(0.01, 1.2), r.lo * size);
-        const Doubles slope = around(low ? r.lo * step_uniform(-2, 1) : step_uniform(-0.3, 0.6), r.lo * size);
-        const bool from_light = step_engine()() % 4 != 0;  // else from the bridge: a light wall is ahead
+            around(low ? r.lo * step_random.uniform(0.01, 1) : step_random.uniform(0.01, 1.2), r.lo * size);
+        const Doubles slope =
+            around(low ? r.lo * step_random.uniform(-2, 1) : step_random.uniform(-0.3, 0.6), r.lo * size);
+        const bool from_light = step_random.below(4) != 0;  // else from the bridge: a light wall is ahead
         const bool passes = !from_light || departures.passes_bridge({true, height, slope});
         bool leaves = false;
         const auto next = passes ? departures.off_light_wall({from_light, height, slope}, leaves)
@@ -173,10 +171,10 @@ TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wr
             return Interval<Big>(from, add(up, from, number(width)));
         };
         const bool behind = i % 4 != 0;  // the bridge is met behind its top
-        const double ratio = step_uniform(0.02, 1),
-                     k = ratio * (behind ? step_uniform(-4, -0.3) : step_uniform(-2, 1)),
-                     a = behind ? -k * step_uniform(1.6, 3.3) : ratio * step_uniform(0.01, 1.5);
-        const auto width = [&] { return i % 3 != 0 ? 0 : ratio * std::exp2(step_uniform(-10, 0)); };
+        const double ratio = step_random.uniform(0.02, 1),
+                     k = ratio * (behind ? step_random.uniform(-4, -0.3) : step_random.uniform(-2, 1)),
+                     a = behind ? -k * step_random.uniform(1.6, 3.3) : ratio * step_random.uniform(0.01, 1.5);
+        const auto width = [&] { return i % 3 != 0 ? 0 : ratio * std::exp2(step_random.uniform(-10, 0)); };
         const Interval<Big> r = interval(ratio, 0), height = interval(a, width()),
                             slope = interval(k, width());
         const auto next = Departures<Big>(r, nullptr).off_bridge({true, height, slope});
@@ -209,18 +207,19 @@ TEST_CASE("initial conditions: steps off the bridge hold in few bits, where a wr
 TEST_CASE("initial conditions: the rays after the first reflection hold for every state and angle") {
     int found[2][2][2] = {}, outward = 0, steep = 0;  // mass, falling, turning forwards
     for (int i = 0; i < 60'000; ++i) {
-        const double size = std::exp2(step_uniform(-20, -3));
-        const std::array lo{0.0, step_uniform(-2, 2), 1.0, step_uniform(-2, 1), step_uniform(1, 12)};
+        const double size = std::exp2(step_random.uniform(-20, -3));
+        const std::array lo{0.0, step_random.uniform(-2, 2), 1.0, step_random.uniform(-2, 1),
+                            step_random.uniform(1, 12)};
         starts::Box box;
-        const std::size_t wide = step_engine()() % 5;
+        const std::size_t wide = step_random.below(5);
         for (std::size_t k = 0; k < 5; ++k) {
             box.lo.at(k) = mpq_class(lo.at(k));
             box.hi.at(k) =
                 mpq_class(lo.at(k) + ((k == 1 || k == 3 || k == 4) && (wide == k || wide == 0) ? size : 0));
         }
         const Flight<double> flight(box);
-        const bool heavy = step_engine()() % 2 == 0;
-        const Doubles angle = around(step_uniform(-7, 7), wide <= 1 ? size : 0);
+        const bool heavy = step_random.coin();
+        const Doubles angle = around(step_random.uniform(-7, 7), wide <= 1 ? size : 0);
         FirstReflection<double> reflection(flight, nullptr);
         bool none = false;
         const auto ray = reflection.behind_first(heavy, angle, none);
