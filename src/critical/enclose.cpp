@@ -93,13 +93,6 @@ std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& 
     return bracket;
 }
 
-Ratio critical_ratio(long n, const BigInterval& r) {
-    return {.n = n,
-            .q_lo = Rational(1) / exact_hi(r),
-            .q_hi = Rational(1) / exact_lo(r),
-            .bits = PrecisionScope::current()};
-}
-
 /// The digits, by Newton steps in the bracket at the working precision: each leaves of the zero's width the
 /// share that the rate is uncertain by. Nothing if the steps come to nothing.
 std::optional<Ratio> refined(long n, Bracket& bracket, const ExtremalFlight& flight, const Options& options) {
@@ -110,7 +103,10 @@ std::optional<Ratio> refined(long n, Bracket& bracket, const ExtremalFlight& fli
         if (!zero) {
             return std::nullopt;
         }
-        Ratio result = critical_ratio(n, *zero);
+        Ratio result{.n = n,
+                     .q_lo = Rational(1) / exact_hi(*zero),
+                     .q_hi = Rational(1) / exact_lo(*zero),
+                     .bits = PrecisionScope::current()};
         if (shared_digits(result.q_lo, result.q_hi, options.digits)) {
             return result;
         }

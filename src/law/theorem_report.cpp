@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "law/certificate.hpp"
 #include "law/constants.hpp"
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
@@ -48,11 +47,6 @@ std::string source(const TheoremReport& report) {
 }
 
 }  // namespace
-
-std::size_t leaves_of(const LayerTree& tree) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(tree, [](const LayerNode& node) { return !node.split; }));
-}
 
 std::string verdict(const TheoremReport& /*report*/) {
     return "For every mass ratio q >= q_c(9) = 62.7137...:\n"

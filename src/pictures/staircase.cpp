@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -51,23 +52,22 @@ std::string far_bound(const std::vector<Piece>& pieces) {
 /// 2 + C sqrt q, which the maximum stays close to (theorem 4).
 std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
     const double c = approximate(flight::growth_constant());
-    std::string path;
-    constexpr int parts = 200;
-    for (int i = 0; i <= parts; ++i) {
-        const double q = q_lo * std::pow(q_hi / q_lo, static_cast<double>(i) / parts);
-        path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', frame.x(q), frame.y(2 + c * std::sqrt(q)));
-    }
-    return path;
+    return frame.curve([&](double share) {
+        const double q = q_lo * std::pow(q_hi / q_lo, share);
+        return std::pair(q, 2 + c * std::sqrt(q));
+    });
+}
+
+auto with_status(const std::vector<Piece>& pieces, Status status) {
+    return std::views::filter(pieces, [status](const Piece& piece) { return piece.status() == status; });
 }
 
 /// The proved values: a line over each piece with one value.
 std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
     std::string path;
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::exact) {
-            path += fmt::format("M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
-                                frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
-        }
+    for (const Piece& piece : with_status(pieces, Status::exact)) {
+        path += fmt::format("M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
+                            frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
     }
     return path;
 }
@@ -75,13 +75,11 @@ std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
 /// The gaps: all that lies between their two values, for the value there is one of them.
 std::string gap_path(const Frame& frame, const std::vector<Piece>& pieces) {
     std::string path;
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::gap) {
-            const double left_end = frame.x(value(piece.q_lo));
-            path += fmt::format("M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
-                                frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
-                                frame.y(static_cast<double>(*piece.upper)), left_end);
-        }
+    for (const Piece& piece : with_status(pieces, Status::gap)) {
+        const double left_end = frame.x(value(piece.q_lo));
+        path += fmt::format("M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
+                            frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
+                            frame.y(static_cast<double>(*piece.upper)), left_end);
     }
     return path;
 }
@@ -133,11 +131,9 @@ PlotAxis count_axis(const Counts& counts) {
 
 /// Hatches the ranges of the pieces that are open.
 void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::open) {
-            const double x = frame.x(value(piece.q_lo));
-            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
-        }
+    for (const Piece& piece : with_status(pieces, Status::open)) {
+        const double x = frame.x(value(piece.q_lo));
+        svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
     }
 }
 
@@ -157,10 +153,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
             "the range is too narrow for this picture: dumbbell report shows it, by its distance "
             "from the step");
     }
-    const auto has = [&](Status status) {
-        return std::any_of(pieces.begin(), pieces.end(),
-                           [&](const Piece& piece) { return piece.status() == status; });
-    };
+    const auto has = [&](Status status) { return !with_status(pieces, status).empty(); };
     const collisions::SectionRow& row = row_of(certificate.system.section);
     const Counts counts = counts_of(pieces, row.has_paper_bound);
     std::vector<LegendEntry> entries{{Swatch::curve, "proved", "proved maximum N(q)"}};
