@@ -10,7 +10,6 @@
 #include "base/printable.hpp"
 #include "collisions/reader.hpp"
 #include "file/file_contents.hpp"
-#include "file/lines.hpp"
 #include "file/sealed_lines.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"

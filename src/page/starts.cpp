@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "base/error.hpp"
-#include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
