@@ -96,10 +96,7 @@ FilterBox filter_box(const std::vector<UnitAxis>& axes_in_use, const BoxEnds& le
 }
 
 /// Thrown to leave CGAL's loop.
-struct Overlap {
-    const BoxEnds* first;
-    const BoxEnds* second;
-};
+using Overlap = std::pair<const BoxEnds*, const BoxEnds*>;
 
 /// Compares exactly every pair of leaves whose closed double boxes meet.
 void look_for_overlap(const Boxes& boxes, const std::vector<UnitAxis>& axes_in_use, Tiling& tiling) {
@@ -109,13 +106,13 @@ void look_for_overlap(const Boxes& boxes, const std::vector<UnitAxis>& axes_in_u
         filter.push_back(filter_box(axes_in_use, leaf));
     }
     try {
-        CGAL::box_self_intersection_d(
-            filter.begin(), filter.end(), [&](const FilterBox& a, const FilterBox& b) {
-                ++tiling.pairs;
-                if (interiors_meet(axes_in_use, *a.handle(), *b.handle())) {
-                    throw Overlap{std::min(a.handle(), b.handle()), std::max(a.handle(), b.handle())};
-                }
-            });
+        CGAL::box_self_intersection_d(filter.begin(), filter.end(),
+                                      [&](const FilterBox& a, const FilterBox& b) {
+                                          ++tiling.pairs;
+                                          if (interiors_meet(axes_in_use, *a.handle(), *b.handle())) {
+                                              throw Overlap(std::minmax({a.handle(), b.handle()}));
+                                          }
+                                      });
     } catch (const Overlap& overlap) {
         tiling.fault = Fault::overlap;
         tiling.first = static_cast<std::size_t>(overlap.first - boxes.leaves.data());

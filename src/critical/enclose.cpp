@@ -49,9 +49,6 @@ BigInterval least_rate(const ExtremalFlight& flight) {
                : pi<BigInterval>() * sqr(k);
 }
 
-/// A thin r in (0, 1] at the working precision.
-BigInterval point_near(const Rational& r) { return min(midpoint(enclose<BigInterval>(r)), BigInterval(1)); }
-
 /// r with exactly one zero of the margin.
 struct Bracket {
     BigInterval range;
@@ -137,7 +134,8 @@ std::optional<Ratio> enclose_ratio(long n, const Options& options) {
     const int enough = expected_bits(options.digits, flight.flight);
     for (int bits = least_bits; bits <= most_bits && !options.interrupted(); bits *= 2) {
         const PrecisionScope scope(bits);
-        auto bracket = bracket_from(point_near(guess), flight, options);
+        const BigInterval near = min(midpoint(enclose<BigInterval>(guess)), BigInterval(1));
+        auto bracket = bracket_from(near, flight, options);
         if (!bracket) {
             continue;
         }

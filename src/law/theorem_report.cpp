@@ -19,10 +19,8 @@ std::string digits_of(const BigInterval& x, int digits) {
     return dumbbell::to_text(*shared);
 }
 
-struct ConstantTexts {
-    std::string C, c0;
-};
-ConstantTexts constants_of(const TheoremReport& report) {
+/// C and c0.
+std::pair<std::string, std::string> constants_of(const TheoremReport& report) {
     const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
     const Constants constants;
     return {digits_of(constants.C, report.digits), digits_of(constants.c0, report.digits)};
@@ -55,18 +53,18 @@ std::string verdict(const TheoremReport& /*report*/) {
 }
 
 std::string to_text(const TheoremReport& report) {
-    const ConstantTexts constants = constants_of(report);
+    const auto [C, c0] = constants_of(report);
     return fmt::format(
         "{}\nC  = integral of sin((pi/2) / cos theta), theta from 0 to pi/3\n   = {}...\n"
         "c0 = 4 |zeta(-1/2)| / (3^(3/4) sqrt pi)\n   = {}...\n\n{}",
-        verdict(report), constants.C, constants.c0, source(report));
+        verdict(report), C, c0, source(report));
 }
 
 Json to_json(const TheoremReport& report) {
-    const ConstantTexts constants = constants_of(report);
+    const auto [C, c0] = constants_of(report);
     return Json::object({{"schema", "dumbbell-law-theorem-1"},
-                         {"C", constants.C},
-                         {"c0", constants.c0},
+                         {"C", C},
+                         {"c0", c0},
                          {"verdict", report.verdict},
                          {"file", report.out},
                          {"sha256", report.sha256}});

@@ -42,13 +42,6 @@ std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, lon
     return path + fmt::format("H{:.2f}", frame.x(value(q_hi)));
 }
 
-/// What stands in the picture for the paper's bound where that lies too far above the maximum to be drawn.
-std::string far_bound(const std::vector<Piece>& pieces) {
-    const long lo = flight::paper_bound(pieces.front().q_lo);
-    const long hi = flight::paper_bound(pieces.back().q_hi);
-    return fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo, lo == hi ? "" : fmt::format(" to {}", hi));
-}
-
 /// 2 + C sqrt q, which the maximum stays close to (theorem 4).
 std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
     const double c = approximate(flight::growth_constant());
@@ -205,8 +198,13 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
     svg.path(row.has_paper_bound ? "growth" : "paper",  // over it: they lie close together
              row.has_paper_bound ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
     svg.close();
-    if (row.has_paper_bound && !counts.has_paper) {
-        svg.text(frame.left() + 10, frame.top() + 20, far_bound(pieces), Anchor::start, "paper-word");
+    if (row.has_paper_bound && !counts.has_paper) {  // it lies too far above the maximum to be drawn
+        const long lo = flight::paper_bound(pieces.front().q_lo),
+                   hi = flight::paper_bound(pieces.back().q_hi);
+        svg.text(frame.left() + 10, frame.top() + 20,
+                 fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo,
+                             lo == hi ? "" : fmt::format(" to {}", hi)),
+                 Anchor::start, "paper-word");
     }
     frame.draw_axes(svg);
     legend.draw(svg, staircase_left, legend_top);
