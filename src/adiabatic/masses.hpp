@@ -1,7 +1,5 @@
 #pragma once
 
-#include "number/interval.hpp"
-
 /// The masses of the paper's section 3: beta1 = epsilon = delta^2, beta2 = 1 - delta^2 (proofs/adiabatic.md,
 /// Setting).
 namespace dumbbell::adiabatic {

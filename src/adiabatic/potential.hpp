@@ -4,9 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "number/elementary.hpp"
-#include "number/interval.hpp"
-
 namespace dumbbell::adiabatic {
 
 /// The potential V of L35: the integral over u, from the rod's angle from the vertical to pi/2, of a density

@@ -115,10 +115,7 @@ class Prover {
             const Interval error = magnitude(height_error(bounce, *next)) * k / (Interval(2) * square);
             result.bound = std::max(result.bound, error.hi() * scale[1]);
         }
-        if (!(result.bound >= 0)) {
-            return {};
-        }
-        return result;
+        return result.bound >= 0 ? result : Judged();
     }
 
     void prove_bounce() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "adiabatic/certificate.hpp"
 
 namespace dumbbell::adiabatic {

@@ -27,13 +27,9 @@ class Body : SealedLines {
             }
             --open;
             ++(node.outside ? outside_ : bound_);
-            if (node.outside) {
-                line("outside");
-            } else if (with_class) {
-                line("bound {}", node.by_class);
-            } else {
-                line("bound");
-            }
+            line("{}", node.outside ? "outside"
+                       : with_class ? fmt::format("bound {}", node.by_class)
+                                    : "bound");
         }
         require(open == 0, "certificate: a tree is not complete");
     }

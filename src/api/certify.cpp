@@ -142,6 +142,7 @@ void save(const Proof& proof, const std::string& file) {
             throw dumbbell::InputError("the file name is empty, or has a NUL in it");
         }
         write_atomically(output_target(file), proof.certificate);
+        return true;
     });
 }
 

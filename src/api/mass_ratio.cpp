@@ -1,5 +1,7 @@
 #include "dumbbell/mass_ratio.hpp"
 
+#include <tuple>
+
 #include "api/translate.hpp"
 #include "number/ratio_argument.hpp"
 
@@ -7,13 +9,11 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
 MassRatio::MassRatio(std::string_view text) {
-    guarded([&] {
+    std::tie(lo_, hi_, light_over_heavy_) = guarded([&] {
         const RatioArgument ratio = parse_ratio_argument(std::string(text));
-        lo_ = to_fraction(ratio.lo);
-        hi_ = to_fraction(ratio.hi);
         const auto r = hull(enclose<dumbbell::Interval>(Rational(1) / ratio.hi),
                             enclose<dumbbell::Interval>(Rational(1) / ratio.lo));
-        light_over_heavy_ = {r.lo(), r.hi()};
+        return std::tuple(to_fraction(ratio.lo), to_fraction(ratio.hi), Interval{r.lo(), r.hi()});
     });
 }
 

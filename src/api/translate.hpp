@@ -16,21 +16,16 @@
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
-/// f(), with the exceptions of the public headers and no other ones, with stack enough, and with sound
-/// arithmetic whatever the caller made of it.
+/// f(), which gives a result, with the exceptions of the public headers and no other ones, with stack enough,
+/// and with sound arithmetic whatever the caller made of it.
 template <class F>
 std::invoke_result_t<const F&> guarded(const F& f) {
-    constexpr bool is_void = std::is_void_v<std::invoke_result_t<const F&>>;
-    std::optional<std::conditional_t<is_void, bool, std::invoke_result_t<const F&>>> result;
+    std::optional<std::invoke_result_t<const F&>> result;
     try {
         with_stack(
             [&] {
                 const SoundArithmetic sound;
-                if constexpr (is_void) {
-                    f();
-                } else {
-                    result.emplace(f());
-                }
+                result.emplace(f());
             },
             flint_cleanup);
     } catch (const dumbbell::InputError& error) {
@@ -42,9 +37,7 @@ std::invoke_result_t<const F&> guarded(const F& f) {
     } catch (const std::exception& error) {
         throw BrokenInvariant(error.what());
     }
-    if constexpr (!is_void) {
-        return std::move(*result);
-    }
+    return std::move(*result);
 }
 
 }  // namespace DUMBBELL_ABI

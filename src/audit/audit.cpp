@@ -82,21 +82,13 @@ std::vector<std::string> range_faults(const Certificate& certificate,
     return faults;
 }
 
-std::size_t leaves_of(const Certificate& certificate) {
-    long leaves = 0;
-    for (const Piece& piece : certificate.pieces) {
-        leaves += piece.cover.leaves();
-    }
-    return static_cast<std::size_t>(leaves);
-}
-
 /// Audits the pieces one after the other.
 class Auditor {
   public:
     Auditor(const Certificate& certificate, Observer& observer)
         : observer_(observer),
           system_(certificate.system),
-          total_(leaves_of(certificate)),
+          total_(static_cast<std::size_t>(certificate.leaves())),
           needed_(collisions::row_of(certificate.system.section).charts) {}
 
     void add(const Piece& piece) {

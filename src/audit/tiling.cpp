@@ -80,59 +80,43 @@ bool interiors_meet(const std::vector<UnitAxis>& axes_in_use, const BoxEnds& a, 
     });
 }
 
-/// A double box around a leaf, for CGAL's filter (BoxIntersectionBox_d). An axis that is not in use is [0,
-/// 1].
-class FilterBox {
-  public:
-    using NT = double;
-    using ID = std::size_t;
+/// For CGAL's filter.
+using FilterBox = CGAL::Box_intersection_d::Box_with_handle_d<double, collisions::axis_count, const BoxEnds*>;
 
-    FilterBox(const std::vector<UnitAxis>& axes_in_use, const BoxEnds& leaf, std::size_t index)
-        : index_(index) {
-        hi_.fill(1);
-        for (std::size_t i = 0; i < axes_in_use.size(); ++i) {
-            const UnitAxis& unit = axes_in_use[i];
-            lo_[i] = unit.outward[leaf.lo[unit.axis]].first;
-            hi_[i] = unit.outward[leaf.hi[unit.axis]].second;
-        }
+/// A double box around a leaf. An axis that is not in use is [0, 1].
+FilterBox filter_box(const std::vector<UnitAxis>& axes_in_use, const BoxEnds& leaf) {
+    std::array<double, collisions::axis_count> lo{}, hi;
+    hi.fill(1);
+    for (std::size_t i = 0; i < axes_in_use.size(); ++i) {
+        const UnitAxis& unit = axes_in_use[i];
+        lo[i] = unit.outward[leaf.lo[unit.axis]].first;
+        hi[i] = unit.outward[leaf.hi[unit.axis]].second;
     }
-
-    [[nodiscard]] static int dimension() { return collisions::axis_count; }
-    [[nodiscard]] double min_coord(int axis) const { return lo_[static_cast<std::size_t>(axis)]; }
-    [[nodiscard]] double max_coord(int axis) const { return hi_[static_cast<std::size_t>(axis)]; }
-    [[nodiscard]] std::size_t id() const { return index_; }
-
-  private:
-    std::array<double, collisions::axis_count> lo_{};
-    std::array<double, collisions::axis_count> hi_{};
-    std::size_t index_;
-};
+    return {lo.data(), hi.data(), &leaf};
+}
 
 /// Thrown to leave CGAL's loop.
-struct Overlap {
-    std::size_t first;
-    std::size_t second;
-};
+using Overlap = std::pair<const BoxEnds*, const BoxEnds*>;
 
 /// Compares exactly every pair of leaves whose closed double boxes meet.
 void look_for_overlap(const Boxes& boxes, const std::vector<UnitAxis>& axes_in_use, Tiling& tiling) {
     std::vector<FilterBox> filter;
     filter.reserve(boxes.leaves.size());
-    for (std::size_t i = 0; i < boxes.leaves.size(); ++i) {
-        filter.emplace_back(axes_in_use, boxes.leaves[i], i);
+    for (const BoxEnds& leaf : boxes.leaves) {
+        filter.push_back(filter_box(axes_in_use, leaf));
     }
     try {
-        CGAL::box_self_intersection_d(
-            filter.begin(), filter.end(), [&](const FilterBox& a, const FilterBox& b) {
-                ++tiling.pairs;
-                if (interiors_meet(axes_in_use, boxes.leaves[a.id()], boxes.leaves[b.id()])) {
-                    throw Overlap{std::min(a.id(), b.id()), std::max(a.id(), b.id())};
-                }
-            });
+        CGAL::box_self_intersection_d(filter.begin(), filter.end(),
+                                      [&](const FilterBox& a, const FilterBox& b) {
+                                          ++tiling.pairs;
+                                          if (interiors_meet(axes_in_use, *a.handle(), *b.handle())) {
+                                              throw Overlap(std::minmax({a.handle(), b.handle()}));
+                                          }
+                                      });
     } catch (const Overlap& overlap) {
         tiling.fault = Fault::overlap;
-        tiling.first = overlap.first;
-        tiling.second = overlap.second;
+        tiling.first = static_cast<std::size_t>(overlap.first - boxes.leaves.data());
+        tiling.second = static_cast<std::size_t>(overlap.second - boxes.leaves.data());
     }
 }
 
@@ -165,16 +149,12 @@ Tiling check_tiling(const Boxes& boxes, const TilingProgress& progress) {
     }
     const std::vector<UnitAxis> axes_in_use = unit_axes(boxes);
     tiling.area = area_of(boxes, axes_in_use);
-    if (progress) {
-        progress(0.3);
-    }
+    progress(0.3);
     look_for_overlap(boxes, axes_in_use, tiling);
     if (tiling.fault) {
         return tiling;
     }
-    if (progress) {
-        progress(0.9);
-    }
+    progress(0.9);
     const Exact share = share_of(boxes, axes_in_use);
     if (share != 1) {
         tiling.fault = Fault::missing_area;

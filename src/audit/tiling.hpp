@@ -37,6 +37,7 @@ void need_exact_geometry();
 
 /// Whether the boxes tile their root, in exact arithmetic (CGAL). Looks at the boxes only, not at a tree.
 /// Stops at the first fault.
-[[nodiscard]] Tiling check_tiling(const collisions::Boxes& boxes, const TilingProgress& progress = {});
+[[nodiscard]] Tiling check_tiling(
+    const collisions::Boxes& boxes, const TilingProgress& progress = [](double /*done*/) {});
 
 }  // namespace dumbbell::audit

@@ -33,10 +33,7 @@ std::string precision(const AtRatio& at) {
 
 /// The ends of an enclosure as decimals, rounded outward a little beyond the first digit in which they
 /// differ.
-struct Ends {
-    std::string lo, hi;
-};
-Ends ends_of(const BigInterval& x) {
+std::pair<std::string, std::string> ends_of(const BigInterval& x) {
     const Rational lo = exact_lo(x), hi = exact_hi(x);
     int digits = 1;
     while (cut_down(lo, digits) == cut_down(hi, digits)) {
@@ -52,8 +49,8 @@ std::string sentence(const AtRatio& at) {
                : fmt::format("N(q) is {} or {} at q = {}.\n", at.lower.str(), at.upper.str(), q);
 }
 std::string sentence(const CriticalRatio& ratio) {
-    const Ends ends = ends_of(ratio.q_c);
-    return fmt::format("{} <= q_c({}) <= {}\n", ends.lo, ratio.n.str(), ends.hi);
+    const auto [lo, hi] = ends_of(ratio.q_c);
+    return fmt::format("{} <= q_c({}) <= {}\n", lo, ratio.n.str(), hi);
 }
 
 std::string precision(const CriticalRatio& ratio) {
@@ -71,9 +68,8 @@ Json fields(const AtRatio& at) {
                          {"past", ends_json(Interval(at.past.lo(), at.past.hi()))}});
 }
 Json fields(const CriticalRatio& ratio) {
-    const Ends ends = ends_of(ratio.q_c);
-    return Json::object(
-        {{"schema", "dumbbell-law-count-1"}, {"N", Count(ratio.n)}, {"lo", ends.lo}, {"hi", ends.hi}});
+    const auto [lo, hi] = ends_of(ratio.q_c);
+    return Json::object({{"schema", "dumbbell-law-count-1"}, {"N", Count(ratio.n)}, {"lo", lo}, {"hi", hi}});
 }
 
 }  // namespace

@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "law/certificate.hpp"
 #include "law/constants.hpp"
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
@@ -20,10 +19,8 @@ std::string digits_of(const BigInterval& x, int digits) {
     return dumbbell::to_text(*shared);
 }
 
-struct ConstantTexts {
-    std::string C, c0;
-};
-ConstantTexts constants_of(const TheoremReport& report) {
+/// C and c0.
+std::pair<std::string, std::string> constants_of(const TheoremReport& report) {
     const PrecisionScope scope(static_cast<int>(report.digits * 3.33) + 64);
     const Constants constants;
     return {digits_of(constants.C, report.digits), digits_of(constants.c0, report.digits)};
@@ -49,11 +46,6 @@ std::string source(const TheoremReport& report) {
 
 }  // namespace
 
-std::size_t leaves_of(const LayerTree& tree) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(tree, [](const LayerNode& node) { return !node.split; }));
-}
-
 std::string verdict(const TheoremReport& /*report*/) {
     return "For every mass ratio q >= q_c(9) = 62.7137...:\n"
            "    2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q),\n"
@@ -61,18 +53,18 @@ std::string verdict(const TheoremReport& /*report*/) {
 }
 
 std::string to_text(const TheoremReport& report) {
-    const ConstantTexts constants = constants_of(report);
+    const auto [C, c0] = constants_of(report);
     return fmt::format(
         "{}\nC  = integral of sin((pi/2) / cos theta), theta from 0 to pi/3\n   = {}...\n"
         "c0 = 4 |zeta(-1/2)| / (3^(3/4) sqrt pi)\n   = {}...\n\n{}",
-        verdict(report), constants.C, constants.c0, source(report));
+        verdict(report), C, c0, source(report));
 }
 
 Json to_json(const TheoremReport& report) {
-    const ConstantTexts constants = constants_of(report);
+    const auto [C, c0] = constants_of(report);
     return Json::object({{"schema", "dumbbell-law-theorem-1"},
-                         {"C", constants.C},
-                         {"c0", constants.c0},
+                         {"C", C},
+                         {"c0", c0},
                          {"verdict", report.verdict},
                          {"file", report.out},
                          {"sha256", report.sha256}});

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "law/certificate.hpp"
 #include "words/json.hpp"
 
 namespace dumbbell::law {
@@ -23,8 +22,5 @@ struct TheoremReport {
 /// What is proved, without the constants.
 [[nodiscard]] std::string verdict(const TheoremReport& report);
 [[nodiscard]] Json to_json(const TheoremReport& report);
-
-/// The leaves of a cover of the layer.
-[[nodiscard]] std::size_t leaves_of(const LayerTree& tree);
 
 }  // namespace dumbbell::law

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include "adiabatic/writer.hpp"
 #include "number/decimal.hpp"
@@ -23,20 +22,6 @@ std::string shown_below(const Rational& x) {
 Json range_json(const std::pair<Rational, Rational>& range) {
     return Json::array({spelled(range.first), spelled(range.second)});
 }
-
-/// Leaves of all its trees by word.
-struct Leaves {
-    std::size_t bound = 0;
-    std::size_t outside = 0;
-
-    void add(const adiabatic::Tree& tree) {
-        for (const adiabatic::Node& node : tree) {
-            if (!node.split) {
-                ++(node.outside ? outside : bound);
-            }
-        }
-    }
-};
 
 Json axis_json(const char* name, const std::string& lo, const std::string& hi) {
     return Json::object({{"name", name}, {"lo", lo}, {"hi", hi}});
@@ -75,10 +60,16 @@ Json kinds_json(const adiabatic::Certificate& certificate) {
 Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budget) {
     const adiabatic::Hypotheses& of = certificate.hypotheses;
     const bool has_heights = of.claim == adiabatic::Claim::bounce || of.claim == adiabatic::Claim::run;
-    Leaves leaves;
-    leaves.add(certificate.tree);
+    std::size_t bound_leaves = 0, outside_leaves = 0;  // of all its trees
+    const auto add = [&](const adiabatic::Tree& tree) {
+        for (const adiabatic::Node& node : tree) {
+            bound_leaves += node.split || node.outside ? 0 : 1;
+            outside_leaves += node.outside ? 1 : 0;
+        }
+    };
+    add(certificate.tree);
     for (const adiabatic::Class& one : certificate.classes) {
-        leaves.add(one.tree);
+        add(one.tree);
     }
     Json bounds = Json::array();
     for (const Rational& bound : certificate.bounds) {
@@ -99,7 +90,7 @@ Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budge
                          {"margin", spelled(of.margin)},
                          {"exponent", of.claim == adiabatic::Claim::bounce ? Json(of.exponent) : Json()},
                          {"classes", certificate.classes.size()},
-                         {"leaves", Json::object({{"bound", leaves.bound}, {"outside", leaves.outside}})},
+                         {"leaves", Json::object({{"bound", bound_leaves}, {"outside", outside_leaves}})},
                          {"bounds", bounds},
                          {"attained", attained},
                          {"kinds", kinds_json(certificate)},

@@ -10,7 +10,6 @@
 #include "base/printable.hpp"
 #include "collisions/reader.hpp"
 #include "file/file_contents.hpp"
-#include "file/lines.hpp"
 #include "file/sealed_lines.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
@@ -26,20 +25,6 @@ constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DU
 
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
-
-struct LeavesOf {
-    std::size_t operator()(const collisions::Certificate& certificate) const {
-        long leaves = 0;
-        for (const collisions::Piece& piece : certificate.pieces) {
-            leaves += piece.cover.leaves();
-        }
-        return static_cast<std::size_t>(leaves);
-    }
-    std::size_t operator()(const auto& certificate) const {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(certificate.tree, [](const auto& node) { return !node.split; }));
-    }
-};
 
 std::string growth_digits() {
     const PrecisionScope scope(constant_bits);
@@ -118,7 +103,17 @@ ReportedFile read_reported(const std::string& path, bool with_bytes) {
     return {path, std::move(sha256), std::move(content), with_bytes ? std::move(bytes) : ""};
 }
 
-std::size_t leaves_of(const AnyCertificate& content) { return std::visit(LeavesOf(), content); }
+std::size_t leaves_of(const AnyCertificate& content) {
+    return std::visit(
+        [](const auto& of) {
+            if constexpr (requires { of.pieces; }) {
+                return static_cast<std::size_t>(of.leaves());
+            } else {
+                return of.tree.size() / 2 + 1;  // one more than the tree has splits
+            }
+        },
+        content);
+}
 
 Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
     BoxBudget budget{0, most_boxes};

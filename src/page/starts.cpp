@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "base/error.hpp"
-#include "number/decimal.hpp"
 #include "page/file.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/start_plane.hpp"
@@ -39,9 +38,7 @@ Json kind_json(const Kind& kind, const std::map<Count, pictures::CountShade>& sh
     return Json::object(
         {{"least", least},
          {"most", is_open ? Json() : Json(most)},
-         {"first", mass == no_mass      ? Json()
-                   : mass == heavy_mass ? Json("heavy")
-                                        : Json("light")},
+         {"first", std::array{Json(), Json("light"), Json("heavy")}.at(static_cast<std::size_t>(mass))},
          {"colour",
           shade == shades.end() ? Json() : Json::array({shade->second.light, shade->second.dark})}});
 }

@@ -68,10 +68,6 @@ std::vector<bool> opened(const PictureTree& tree, const std::vector<Subtree>& su
 
 }  // namespace
 
-std::size_t leaves_of(const PictureTree& tree) {
-    return static_cast<std::size_t>(std::ranges::count_if(tree, [](int node) { return node >= 0; }));
-}
-
 ThinnedTree thinned(const PictureTree& tree, std::size_t most) {
     const auto subtrees = subtrees_of(tree);
     if (subtrees[0].leaves <= most) {

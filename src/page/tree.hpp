@@ -24,7 +24,8 @@ struct ThinnedTree {
 /// Precondition: the tree is complete.
 [[nodiscard]] ThinnedTree thinned(const PictureTree& tree, std::size_t most);
 
-[[nodiscard]] std::size_t leaves_of(const PictureTree& tree);
+/// One more than it has splits. Precondition: the tree is complete.
+[[nodiscard]] inline std::size_t leaves_of(const PictureTree& tree) { return tree.size() / 2 + 1; }
 
 /// Of `total` leaves in all trees, `most` may be drawn.
 struct BoxBudget {

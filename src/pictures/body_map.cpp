@@ -24,44 +24,18 @@ constexpr double map_left = 64;
 constexpr double map_height = 460;
 constexpr double least_greatest_inertia = 12;  // room for the coin and what lies above it
 
-struct Body {
-    double rho, inertia;
-};
-
-/// Two ends of the mass ratio q and a uniform rod of mu times their mass (L70 (d)).
-Body rod_body(double q, double mu) {
+/// rho and the inertia of two ends of the mass ratio q and a uniform rod of mu times their mass (L70 (d)).
+std::pair<double, double> rod_body(double q, double mu) {
     const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
     const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
     return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
 }
 
-std::string curve(const Frame& frame, const std::vector<Body>& bodies) {
-    std::string path;
-    for (const Body& body : bodies) {
-        path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? 'M' : 'L', frame.x(body.rho),
-                            frame.y(body.inertia));
-    }
-    return path;
-}
-
-constexpr int curve_parts = 200;
-
-std::string massless(const Frame& frame, double greatest_inertia) {
-    std::vector<Body> bodies;
-    for (int i = 0; i <= curve_parts; ++i) {
-        const double inertia = std::pow(greatest_inertia, static_cast<double>(i) / curve_parts);
-        bodies.push_back({1 / inertia, inertia});
-    }
-    return curve(frame, bodies);
-}
-
 /// From no mass of the rod to ten thousand times the mass of its ends.
 std::string rods(const Frame& frame, double q) {
-    std::vector<Body> bodies{rod_body(q, 0)};
-    for (int i = 0; i <= curve_parts; ++i) {
-        bodies.push_back(rod_body(q, std::pow(10, 8.0 * i / curve_parts - 4)));
-    }
-    return curve(frame, bodies);
+    const auto [rho, inertia] = rod_body(q, 0);
+    const auto heavier = frame.curve([&](double share) { return rod_body(q, std::pow(10, 8 * share - 4)); });
+    return fmt::format("M{:.2f} {:.2f}L{}", frame.x(rho), frame.y(inertia), heavier.substr(1));
 }
 
 /// Its class: its maximum, if that is one value.
@@ -138,7 +112,10 @@ std::string body_map_svg(const std::vector<Certificate>& certificates) {
             draw_piece(svg, frame, *certificate.system.rho, piece);
         }
     }
-    svg.path("massless", massless(frame, hi));
+    svg.path("massless", frame.curve([&](double share) {
+        const double inertia = std::pow(hi, share);
+        return std::pair(1 / inertia, inertia);
+    }));
     for (const double q : {1.0, 3.0, 10.0}) {
         svg.path("rods", rods(frame, q));
     }

@@ -153,6 +153,16 @@ Frame::Frame(double left, double top, double width, double height, PlotAxis x, P
       horizontal_(std::move(x)),
       vertical_(std::move(y)) {}
 
+std::string Frame::curve(const std::function<std::pair<double, double>(double)>& point) const {
+    constexpr int parts = 200;
+    std::string path;
+    for (int i = 0; i <= parts; ++i) {
+        const auto [at_x, at_y] = point(static_cast<double>(i) / parts);
+        path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', x(at_x), y(at_y));
+    }
+    return path;
+}
+
 void Frame::draw_grid(Svg& svg) const {
     for (const Tick& tick : horizontal_.ticks) {
         svg.line("grid", x(tick.value), top_, x(tick.value), bottom());

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "number/rational.hpp"
@@ -56,6 +58,9 @@ class Frame {
     [[nodiscard]] double bottom() const { return top_ + height_; }
     [[nodiscard]] double width() const { return width_; }
     [[nodiscard]] double height() const { return height_; }
+
+    /// As a path: the points that `point` gives for 0, 1/200, 2/200, ..., 1.
+    [[nodiscard]] std::string curve(const std::function<std::pair<double, double>(double)>& point) const;
 
     /// The lines in the background of the picture.
     void draw_grid(Svg& svg) const;

@@ -33,9 +33,6 @@ struct Floor {
     double beta2;
 
     explicit Floor(const Rational& q) : r(1 / q.convert_to<double>()), beta2(1 / (1 + r)) {}
-
-    [[nodiscard]] double light(double psi) const { return -beta2 * std::cos(psi); }
-    [[nodiscard]] double bridge(double psi) const { return r * beta2 * std::cos(psi); }
 };
 
 struct Place {
@@ -84,9 +81,9 @@ std::string curve(const Frame& frame, double from, double to, const Function& he
 }
 
 void draw_floor(Svg& svg, const Frame& frame, const Floor& floor) {
-    const auto light = [&](double psi) { return floor.light(psi); };
-    const auto bridge = [&](double psi) { return floor.bridge(psi); };
-    const auto ground = [&](double psi) { return std::max(floor.light(psi), floor.bridge(psi)); };
+    const auto light = [&](double psi) { return -floor.beta2 * std::cos(psi); };
+    const auto bridge = [&](double psi) { return floor.r * floor.beta2 * std::cos(psi); };
+    const auto ground = [&](double psi) { return std::max(light(psi), bridge(psi)); };
     svg.path("ground",
              fmt::format("{}V{}H{}z", curve(frame, -pi, pi, ground), px(frame.bottom()), px(frame.left())));
     svg.path("light-wall", curve(frame, -pi, -pi / 2, light));

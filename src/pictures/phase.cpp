@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <ranges>
 
 #include "base/error.hpp"
 #include "pictures/count_colours.hpp"
@@ -70,10 +71,8 @@ std::string path_of(const std::vector<Outline>& outlines, const std::array<int, 
 }
 
 std::vector<Count> counts_of(const std::map<long, Region>& regions) {
-    std::vector<Count> counts(regions.size());
-    std::transform(regions.begin(), regions.end(), counts.begin(),
-                   [](const auto& region) { return region.first; });
-    return counts;
+    const auto counts = std::views::keys(regions);
+    return {counts.begin(), counts.end()};
 }
 
 std::string percent(const Rational& share) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -41,33 +42,25 @@ std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, lon
     return path + fmt::format("H{:.2f}", frame.x(value(q_hi)));
 }
 
-/// What stands in the picture for the paper's bound where that lies too far above the maximum to be drawn.
-std::string far_bound(const std::vector<Piece>& pieces) {
-    const long lo = flight::paper_bound(pieces.front().q_lo);
-    const long hi = flight::paper_bound(pieces.back().q_hi);
-    return fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo, lo == hi ? "" : fmt::format(" to {}", hi));
-}
-
 /// 2 + C sqrt q, which the maximum stays close to (theorem 4).
 std::string growth_path(const Frame& frame, double q_lo, double q_hi) {
     const double c = approximate(flight::growth_constant());
-    std::string path;
-    constexpr int parts = 200;
-    for (int i = 0; i <= parts; ++i) {
-        const double q = q_lo * std::pow(q_hi / q_lo, static_cast<double>(i) / parts);
-        path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', frame.x(q), frame.y(2 + c * std::sqrt(q)));
-    }
-    return path;
+    return frame.curve([&](double share) {
+        const double q = q_lo * std::pow(q_hi / q_lo, share);
+        return std::pair(q, 2 + c * std::sqrt(q));
+    });
+}
+
+auto with_status(const std::vector<Piece>& pieces, Status status) {
+    return std::views::filter(pieces, [status](const Piece& piece) { return piece.status() == status; });
 }
 
 /// The proved values: a line over each piece with one value.
 std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
     std::string path;
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::exact) {
-            path += fmt::format("M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
-                                frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
-        }
+    for (const Piece& piece : with_status(pieces, Status::exact)) {
+        path += fmt::format("M{:.2f} {:.2f}H{:.2f}", frame.x(value(piece.q_lo)),
+                            frame.y(static_cast<double>(*piece.upper)), frame.x(value(piece.q_hi)));
     }
     return path;
 }
@@ -75,13 +68,11 @@ std::string proved_path(const Frame& frame, const std::vector<Piece>& pieces) {
 /// The gaps: all that lies between their two values, for the value there is one of them.
 std::string gap_path(const Frame& frame, const std::vector<Piece>& pieces) {
     std::string path;
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::gap) {
-            const double left_end = frame.x(value(piece.q_lo));
-            path += fmt::format("M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
-                                frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
-                                frame.y(static_cast<double>(*piece.upper)), left_end);
-        }
+    for (const Piece& piece : with_status(pieces, Status::gap)) {
+        const double left_end = frame.x(value(piece.q_lo));
+        path += fmt::format("M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}z", left_end,
+                            frame.y(static_cast<double>(piece.lower)), frame.x(value(piece.q_hi)),
+                            frame.y(static_cast<double>(*piece.upper)), left_end);
     }
     return path;
 }
@@ -133,11 +124,9 @@ PlotAxis count_axis(const Counts& counts) {
 
 /// Hatches the ranges of the pieces that are open.
 void draw_open(Svg& svg, const Frame& frame, const std::vector<Piece>& pieces) {
-    for (const Piece& piece : pieces) {
-        if (piece.status() == Status::open) {
-            const double x = frame.x(value(piece.q_lo));
-            svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
-        }
+    for (const Piece& piece : with_status(pieces, Status::open)) {
+        const double x = frame.x(value(piece.q_lo));
+        svg.rect("hatched", x, frame.top(), frame.x(value(piece.q_hi)) - x, frame.height());
     }
 }
 
@@ -157,10 +146,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
             "the range is too narrow for this picture: dumbbell report shows it, by its distance "
             "from the step");
     }
-    const auto has = [&](Status status) {
-        return std::any_of(pieces.begin(), pieces.end(),
-                           [&](const Piece& piece) { return piece.status() == status; });
-    };
+    const auto has = [&](Status status) { return !with_status(pieces, status).empty(); };
     const collisions::SectionRow& row = row_of(certificate.system.section);
     const Counts counts = counts_of(pieces, row.has_paper_bound);
     std::vector<LegendEntry> entries{{Swatch::curve, "proved", "proved maximum N(q)"}};
@@ -212,8 +198,13 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
     svg.path(row.has_paper_bound ? "growth" : "paper",  // over it: they lie close together
              row.has_paper_bound ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
     svg.close();
-    if (row.has_paper_bound && !counts.has_paper) {
-        svg.text(frame.left() + 10, frame.top() + 20, far_bound(pieces), Anchor::start, "paper-word");
+    if (row.has_paper_bound && !counts.has_paper) {  // it lies too far above the maximum to be drawn
+        const long lo = flight::paper_bound(pieces.front().q_lo),
+                   hi = flight::paper_bound(pieces.back().q_hi);
+        svg.text(frame.left() + 10, frame.top() + 20,
+                 fmt::format("\xe2\x86\x91 the paper's bound: {}{}", lo,
+                             lo == hi ? "" : fmt::format(" to {}", hi)),
+                 Anchor::start, "paper-word");
     }
     frame.draw_axes(svg);
     legend.draw(svg, staircase_left, legend_top);

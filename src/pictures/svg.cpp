@@ -28,14 +28,9 @@ constexpr std::string_view hatch =
     "\n";
 
 std::string_view attribute(Anchor anchor) {
-    switch (anchor) {
-        case Anchor::middle:
-            return R"( text-anchor="middle")";
-        case Anchor::end:
-            return R"( text-anchor="end")";
-        default:
-            return "";
-    }
+    return anchor == Anchor::middle ? R"( text-anchor="middle")"
+           : anchor == Anchor::end  ? R"( text-anchor="end")"
+                                    : "";
 }
 
 }  // namespace
@@ -54,9 +49,8 @@ std::string xml_text(std::string_view text) {
 }
 
 double text_width(std::string_view text) {
-    const auto is_letter = [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    };  // of UTF-8
+    // Of UTF-8.
+    const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
     return letter_width * static_cast<double>(std::count_if(text.begin(), text.end(), is_letter));
 }
 

@@ -15,27 +15,20 @@ namespace {
 
 /// The places on one axis in ascending order. A union of boxes depends on the order of their ends alone, so
 /// it is found with the places' numbers, whatever the depth of the boxes.
-class Places {
-  public:
-    Places(const std::vector<PlaneBox>& boxes, std::size_t axis) {
-        for (const PlaneBox& box : boxes) {
-            values_.push_back(box.lo[axis]);
-            values_.push_back(box.hi[axis]);
-        }
-        std::sort(values_.begin(), values_.end());
-        values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
+std::vector<Rational> places(const std::vector<PlaneBox>& boxes, std::size_t axis) {
+    std::vector<Rational> values;
+    for (const PlaneBox& box : boxes) {
+        values.push_back(box.lo[axis]);
+        values.push_back(box.hi[axis]);
     }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
 
-    [[nodiscard]] int number(const Rational& value) const {
-        return static_cast<int>(std::lower_bound(values_.begin(), values_.end(), value) - values_.begin());
-    }
-    [[nodiscard]] const Rational& value(int number) const {
-        return values_.at(static_cast<std::size_t>(number));
-    }
-
-  private:
-    std::vector<Rational> values_;
-};
+int number_in(const std::vector<Rational>& places, const Rational& value) {
+    return static_cast<int>(std::ranges::lower_bound(places, value) - places.begin());
+}
 
 using Vertex = std::array<int, 2>;
 /// Along the axis, in its direction or against it.
@@ -127,14 +120,15 @@ Rational signed_area(const Outline& outline) {
 }  // namespace
 
 std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
-    const Places x(boxes, 0);
-    const Places y(boxes, 1);
+    const auto x = places(boxes, 0);
+    const auto y = places(boxes, 1);
     Boundary boundary;
     std::vector<std::pair<Vertex, Vertex>> numbered;
     Rational missing = 0;
     for (const PlaneBox& box : boxes) {
-        const auto& [lo, hi] = numbered.emplace_back(Vertex{x.number(box.lo[0]), y.number(box.lo[1])},
-                                                     Vertex{x.number(box.hi[0]), y.number(box.hi[1])});
+        const auto& [lo, hi] =
+            numbered.emplace_back(Vertex{number_in(x, box.lo[0]), number_in(y, box.lo[1])},
+                                  Vertex{number_in(x, box.hi[0]), number_in(y, box.hi[1])});
         boundary.add(lo, hi);
         missing += (box.hi[0] - box.lo[0]) * (box.hi[1] - box.lo[1]);
     }
@@ -156,7 +150,7 @@ std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
             const bool second = ways.size() == 2 && ways[0].first == left_of(*heading);
             const auto [next, to] = ways[second ? 1 : 0];
             if (heading != next) {
-                curve.push_back({x.value(at[0]), y.value(at[1])});
+                curve.push_back({x[static_cast<std::size_t>(at[0])], y[static_cast<std::size_t>(at[1])]});
             }
             ways.erase(ways.begin() + (second ? 1 : 0));
             if (ways.empty()) {

@@ -206,7 +206,6 @@ class Bodies:
     def symmetric(self, a, b, upper):
         return self.rho == (1, 1) and not corner_has(upper + 1, self.rho[1], b)
 
-
     def from_bridge(self, values, q_lo, q_hi):
         exact_e, exact_eta, a, b = values
         e, eta, body = interval(exact_e), interval(exact_eta), Body((q_lo, q_hi), self.rho)

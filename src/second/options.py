@@ -1,5 +1,7 @@
 """The command line: the claim, in the words of dumbbell-verify, and the files."""
 
+from types import SimpleNamespace
+
 from claim_list import read_claims
 from claim_options import demand_of, take
 from values import Usage, time
@@ -61,16 +63,11 @@ much slower than dumbbell-verify: minutes for a range up to 10^6.
 """
 
 
-class Asked:
-    """`jobs`: the files, each with its demand; if `together`, that is on all as one. `answer`: print this text alone."""
-
-    def __init__(self):
-        self.jobs, self.together, self.quiet, self.answer, self.budget = [], False, False, None, None
-
-
 def parse(words):
-    """Options are `--name VALUE` or `--name=VALUE`; after `--` there are none."""
-    asked, words, files, claim, others, ended = Asked(), list(words), [], {}, {}, False
+    """Options are `--name VALUE` or `--name=VALUE`; after `--` there are none. Of what is returned `jobs` are the files, each with
+    its demand; if `together`, that is on all as one. `answer`: print this text alone."""
+    asked = SimpleNamespace(jobs=[], together=False, quiet=False, answer=None, budget=None)
+    words, files, claim, others, ended = list(words), [], {}, {}, False
     while words:
         word = words.pop(0)
         if word == "--" and not ended:

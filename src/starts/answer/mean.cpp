@@ -31,10 +31,18 @@ BigInterval share_of_arc(const Rational& m) {
     return result;
 }
 
+std::pair<MeanBounds, ExactMean> both_means(const Rational& q, const PackedTree& tree) {
+    const MeanBounds bounds = mean_bounds(tree);
+    const ExactMean exact = exact_mean(q);
+    require(bounds.lo <= exact_hi(exact.all) && (!bounds.hi || exact_lo(exact.all) <= *bounds.hi),
+            "the mean number of collisions is not that of theorem 6");
+    return {bounds, exact};
+}
+
 std::string digits_of_mean(const BigInterval& x) {
     const auto shared = shared_digits(exact_lo(x), exact_hi(x), mean_digits);
     require(shared.has_value(), "a mean was not enclosed to the digits that are shown");
-    return dumbbell::to_text(*shared);
+    return to_text(*shared);
 }
 
 }  // namespace
@@ -44,30 +52,26 @@ ExactMean exact_mean(const Rational& q) {
     return {share_of_arc(-q) + heavy, heavy};
 }
 
-MeanReport::MeanReport(const Rational& q, const PackedTree& tree)
-    : bounds_(mean_bounds(tree)), exact_(exact_mean(q)) {
-    require(bounds_.lo <= exact_hi(exact_.all) && (!bounds_.hi || exact_lo(exact_.all) <= *bounds_.hi),
-            "the mean number of collisions is not that of theorem 6");
-}
-
-std::string MeanReport::text() const {
-    const std::string least = to_text(cut_down(bounds_.lo, mean_digits));
+std::string mean_text(const Rational& q, const PackedTree& tree) {
+    const auto [bounds, exact] = both_means(q, tree);
+    const std::string least = to_text(cut_down(bounds.lo, mean_digits));
     const std::string by_boxes =
-        bounds_.hi ? fmt::format("between {} and {}", least, to_text(cut_up(*bounds_.hi, mean_digits)))
-                   : fmt::format("at least {}", least);
+        bounds.hi ? fmt::format("between {} and {}", least, to_text(cut_up(*bounds.hi, mean_digits)))
+                  : fmt::format("at least {}", least);
     return fmt::format(
         "Their mean number of collisions is {}... = (E(-q) + E(-1/q))/pi, and the heavy mass hits the floor "
         "with\nprobability {}... = E(-1/q)/pi (theorem 6 of proofs/theorem.md). By the boxes the mean is "
         "{}.\n",
-        digits_of_mean(exact_.all), digits_of_mean(exact_.heavy), by_boxes);
+        digits_of_mean(exact.all), digits_of_mean(exact.heavy), by_boxes);
 }
 
-Json MeanReport::json() const {
+Json mean_json(const Rational& q, const PackedTree& tree) {
+    const auto [bounds, exact] = both_means(q, tree);
     const auto ends = [](const BigInterval& x) { return ends_json(Interval(x.lo(), x.hi())); };
-    return Json::object({{"lo", to_fraction(bounds_.lo)},
-                         {"hi", bounds_.hi ? Json(to_fraction(*bounds_.hi)) : Json()},
-                         {"exact", ends(exact_.all)},
-                         {"heavy", ends(exact_.heavy)}});
+    return Json::object({{"lo", to_fraction(bounds.lo)},
+                         {"hi", bounds.hi ? Json(to_fraction(*bounds.hi)) : Json()},
+                         {"exact", ends(exact.all)},
+                         {"heavy", ends(exact.heavy)}});
 }
 
 }  // namespace dumbbell::starts

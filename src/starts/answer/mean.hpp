@@ -19,16 +19,7 @@ struct ExactMean {
 
 /// What both say. Throws BrokenInvariant if the exact mean lies outside the bounds of a complete tree about
 /// the incoming trajectories at the mass ratio q.
-class MeanReport {
-  public:
-    MeanReport(const Rational& q, const PackedTree& tree);
-
-    [[nodiscard]] std::string text() const;
-    [[nodiscard]] Json json() const;
-
-  private:
-    MeanBounds bounds_;
-    ExactMean exact_;
-};
+[[nodiscard]] std::string mean_text(const Rational& q, const PackedTree& tree);
+[[nodiscard]] Json mean_json(const Rational& q, const PackedTree& tree);
 
 }  // namespace dumbbell::starts

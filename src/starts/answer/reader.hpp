@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "starts/cover/certificate.hpp"
 
 namespace dumbbell::starts {

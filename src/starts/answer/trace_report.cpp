@@ -103,13 +103,6 @@ std::string collisions_table(const TraceReport& report) {
     return aligned(lines, 1);
 }
 
-std::string widths_text(const TracedWidths& widths) {
-    return fmt::format("Widths after the last of them: {:.3g} with correlations, {} without\n",
-                       widths.correlated,
-                       widths.natural ? fmt::format("{:.3g}", *widths.natural)
-                                      : std::string("plain intervals do not get as far"));
-}
-
 /// What the box has to do with a start that is given by an irrational angle.
 std::string meaning_text(const TraceReport& report) {
     const std::string& phi = report.meaning.rounded_phi;
@@ -128,17 +121,14 @@ std::string share_at_least(const Rational& share) {
     return share == 0 ? "0" : to_text(without_zeros(cut_down(share, share_digits)));
 }
 
-std::string share_at_most(const Rational& share) {
-    return to_text(without_zeros(cut_up(share, share_digits)));
-}
-
 std::string decided_text(const Subdivision& parts) {
     std::string text = fmt::format("{:>10}  {:>22}  {:>9}\n", "collisions", "share of the box", "boxes");
     for (const auto& part : parts.exact) {
         text += fmt::format("{:>10}  {:>22}  {:>9}\n", part.first, share_at_least(part.second.share),
                             part.second.boxes);
     }
-    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided", share_at_most(parts.undecided.share),
+    text += fmt::format("{:>10}  {:>22}  {:>9}\n", "undecided",
+                        to_text(without_zeros(cut_up(parts.undecided.share, share_digits))),
                         parts.undecided.boxes);
     return text + kinds_text(parts);
 }
@@ -154,7 +144,7 @@ std::string subdivision_text(const TraceReport& report) {
                                          "collisions", whole, share_lines(share_bounds(report.parts->tree)))
                            : decided_text(parts);
     if (has_mean(report)) {
-        text += MeanReport(report.box.lo[4], parts.tree).text();
+        text += mean_text(report.box.lo[4], parts.tree);
     }
     text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
                         share_at_least(Rational(1) - parts.undecided.share), whole,
@@ -195,7 +185,7 @@ Json subdivision_json(const TraceReport& report) {
         json.add("shares", share_json(share_bounds(report.parts->tree)));
     }
     if (has_mean(report)) {
-        json.add("mean", MeanReport(report.box.lo[4], parts.tree).json());
+        json.add("mean", mean_json(report.box.lo[4], parts.tree));
     }
     return json;
 }
@@ -255,8 +245,11 @@ std::string to_text(const TraceReport& report) {
                 ? exact_text(report.box.lo[4])
                 : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
         text += collisions_table(report);
-        if (!report.is_single() && report.trace.widths) {
-            text += widths_text(*report.trace.widths);
+        if (const auto& widths = report.trace.widths; widths && !report.is_single()) {
+            text += fmt::format("Widths after the last of them: {:.3g} with correlations, {} without\n",
+                                widths->correlated,
+                                widths->natural ? fmt::format("{:.3g}", *widths->natural)
+                                                : std::string("plain intervals do not get as far"));
         }
     }
     text += meaning_text(report) + verdict(report);

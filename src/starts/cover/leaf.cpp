@@ -48,8 +48,7 @@ std::optional<FirstContact> window(const I& times, bool heavy, int margin, int b
     }
     const int relative = std::ilogb(end) + std::max(13 - bits, 4 - most_exponent);
     const int exponent = std::max({size > 0 ? std::ilogb(size) : relative, relative, 4 - most_exponent}) - 4;
-    const Rational step = exponent < 0 ? Rational(1, Integer(1) << static_cast<unsigned>(-exponent))
-                                       : Rational(Integer(1) << static_cast<unsigned>(exponent));
+    const Rational step = exact(std::ldexp(1.0, exponent));
     const auto steps = [&](const Rational& time) {
         const Rational count = time / step;
         return Integer(numerator(count) / denominator(count));

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "file/limits.hpp"
 #include "flight/certain_count.hpp"
 #include "flight/corner.hpp"

@@ -1,7 +1,6 @@
 // Files of the claim kind `initial-conditions` (format-initial.md).
 #pragma once
 #include <span>
-#include <string>
 #include <utility>
 
 #include "verify/core/settings.hpp"
