@@ -59,10 +59,10 @@ TEST_CASE("the mean of certified histograms contains the exact one") {
         REQUIRE(bounds.hi);
         CHECK(bounds.lo < exact_lo(exact.all));
         CHECK(exact_hi(exact.all) < *bounds.hi);
-        CHECK_THAT(MeanReport(ratio, parts.tree).text(), Contains("By the boxes the mean is between "));
+        CHECK_THAT(mean_text(ratio, parts.tree), Contains("By the boxes the mean is between "));
     }
     const auto of_ten = subdivide(incoming_box(10), {.max_boxes = 2000, .jobs = 2, .incoming = true});
-    CHECK_THROWS_AS(MeanReport(1'000'000, of_ten.tree), BrokenInvariant);
+    CHECK_THROWS_AS(mean_text(1'000'000, of_ten.tree), BrokenInvariant);
 }
 
 TEST_CASE("shares with another mean than that of Theorem 6 are refused") {
