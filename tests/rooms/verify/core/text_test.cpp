@@ -1,6 +1,6 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
 #include "catch.hpp"
-#include "rooms/verify/adiabatic/make_file.hpp"
+#include "rooms/verify/wings/adiabatic/make_file.hpp"
 #include "verify/machine/decimals.hpp"
 #include "verify/program/arguments.hpp"
 #include "verify/program/json.hpp"
