@@ -23,7 +23,7 @@ class BuildByCMake(build_ext):
         subprocess.run(["cmake", "--build", folder, "--target", "dumbbell_python"], check=True)
         module = Path(self.get_ext_fullpath(ext.name))
         module.parent.mkdir(parents=True, exist_ok=True)
-        built = folder / "src/api"
+        built = folder / "src/wings/api"
         shutil.copy(built / module.name, module)
         for library in built.glob("libdumbbell-*.so.[0-9]*"):
             if re.fullmatch(r".*\.so\.\d+\.\d+", library.name):  # as the module asks for it
@@ -34,7 +34,7 @@ class BuildByCMake(build_ext):
 setup(
     version=VERSION,
     packages=["dumbbell"],
-    package_dir={"dumbbell": "src/python"},
+    package_dir={"dumbbell": "src/wings/python"},
     package_data={"dumbbell": ["__init__.pyi", "py.typed"]},
     ext_modules=[Extension("dumbbell._dumbbell", [])],
     cmdclass={"build_ext": BuildByCMake},

@@ -58,7 +58,7 @@ if(TARGET dumbbell_python)
   # Its libraries are not beside it then.
   install(CODE "file(RPATH_REMOVE FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${module}/$<TARGET_FILE_NAME:dumbbell_python>\")"
     COMPONENT python)
-  install(FILES src/python/__init__.py src/python/__init__.pyi src/python/_given.py src/python/py.typed DESTINATION ${module} COMPONENT python)
+  install(FILES src/wings/python/__init__.py src/wings/python/__init__.pyi src/wings/python/_given.py src/wings/python/py.typed DESTINATION ${module} COMPONENT python)
 endif()
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.bib CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -56,7 +56,7 @@ if(TARGET dumbbell_python)
       "if command -v ${CMAKE_MATCH_2} > /dev/null 2>&1; then ${CMAKE_MATCH_2} -p python3-dumbbell; fi\n")
     list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/${CMAKE_MATCH_1})
   endforeach()
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src/api)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src/wings/api)
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${about}
 
 This package has the module for Python.")

@@ -13,7 +13,8 @@ namespace dumbbell {
 inline std::atomic<int> stop_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler sets it");
 
-/// What may also end work early that begins on this thread: the caller of a library (src/api); null: nobody.
+/// What may also end work early that begins on this thread: the caller of a library (src/wings/api); null:
+/// nobody.
 inline thread_local const Interrupted* caller_stops = nullptr;
 
 /// Whether a budget that begins now is used up, or the program was asked to stop.

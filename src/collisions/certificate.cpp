@@ -1,6 +1,8 @@
 #include "collisions/certificate.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace dumbbell::collisions {
 
@@ -18,6 +20,11 @@ Status Piece::status() const {
         return Status::open;
     }
     return *upper == lower ? Status::exact : Status::gap;
+}
+
+long Certificate::leaves() const {
+    return std::transform_reduce(pieces.begin(), pieces.end(), 0L, std::plus(),
+                                 [](const Piece& piece) { return piece.cover.leaves(); });
 }
 
 }  // namespace dumbbell::collisions

@@ -124,6 +124,7 @@ struct Certificate {
     [[nodiscard]] const Rational& q_lo() const { return pieces.front().q_lo; }
     [[nodiscard]] const Rational& q_hi() const { return pieces.back().q_hi; }
     [[nodiscard]] Range range() const { return {q_lo(), q_hi()}; }
+    [[nodiscard]] long leaves() const;
 };
 
 }  // namespace dumbbell::collisions

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "collisions/section.hpp"
+#include "number/decimal.hpp"
 #include "number/parallel.hpp"
 #include "number/part.hpp"
 
@@ -19,9 +20,7 @@ constexpr long max_steps = 1'000'000;
 /// x rounded down or up to a multiple of the greatest power of ten that is at most `grain`: short decimals in
 /// the file.
 Rational rounded(const Rational& x, double grain, bool up) {
-    const int exponent = static_cast<int>(std::floor(std::log10(grain)));
-    const Rational unit = exponent >= 0 ? Rational(pow(Integer(10), static_cast<unsigned>(exponent)))
-                                        : Rational(1, pow(Integer(10), static_cast<unsigned>(-exponent)));
+    const Rational unit = exact(Decimal{1, static_cast<int>(std::floor(std::log10(grain)))});
     const Rational multiple = x / unit;
     Integer floor = numerator(multiple) / denominator(multiple);
     if (up && floor * denominator(multiple) != numerator(multiple)) {

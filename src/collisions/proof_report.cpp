@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/error.hpp"
 #include "base/printable.hpp"
 #include "collisions/names.hpp"
 #include "collisions/orbit_text.hpp"
@@ -98,14 +97,6 @@ std::string trace_command(const Rational& q, const WitnessStart& start) {
     return fmt::format("dumbbell trace {} --phi {} --phidot {} --y {} --ydot {}{}", exact_text(q), start.phi,
                        start.phidot, start.y, start.ydot,
                        start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
-}
-
-/// The command that proves that a start in the air has as many collisions.
-std::string start_text(const ReportRow& row) {
-    return fmt::format(
-        "A start in the air, near this orbit, that has {} as well; the command was run, and proves it:\n  "
-        "{}\n",
-        plural(row.orbit.size(), "collision"), trace_command(row.piece->q_lo, *row.start));
 }
 
 /// How clear of tangency the witness's collisions are, how narrowly it is known, and a start near it unless
@@ -305,7 +296,10 @@ std::string orbits_to_text(const ProofReport& report) {
             exact_text(row.piece->q_lo), row.orbit.size(), collisions_text(row.orbit),
             rounded_down(row.margin), widths_text(row.orbit));
         if (row.start) {
-            text += start_text(row) + '\n';
+            text += fmt::format(
+                "A start in the air, near this orbit, that has {} as well; the command was run, and proves "
+                "it:\n  {}\n\n",
+                plural(row.orbit.size(), "collision"), trace_command(row.piece->q_lo, *row.start));
         } else if (!row.why_no_start.empty()) {
             text += fmt::format("No start in the air: {}.\n\n", row.why_no_start);
         }

@@ -5,7 +5,6 @@
 
 #include "base/error.hpp"
 #include "collisions/claim.hpp"
-#include "collisions/names.hpp"
 #include "collisions/piece_lines.hpp"
 #include "collisions/section.hpp"
 

@@ -49,9 +49,6 @@ BigInterval least_rate(const ExtremalFlight& flight) {
                : pi<BigInterval>() * sqr(k);
 }
 
-/// A thin r in (0, 1] at the working precision.
-BigInterval point_near(const Rational& r) { return min(midpoint(enclose<BigInterval>(r)), BigInterval(1)); }
-
 /// r with exactly one zero of the margin.
 struct Bracket {
     BigInterval range;
@@ -93,13 +90,6 @@ std::optional<Bracket> bracket_from(const BigInterval& r, const ExtremalFlight& 
     return bracket;
 }
 
-Ratio critical_ratio(long n, const BigInterval& r) {
-    return {.n = n,
-            .q_lo = Rational(1) / exact_hi(r),
-            .q_hi = Rational(1) / exact_lo(r),
-            .bits = PrecisionScope::current()};
-}
-
 /// The digits, by Newton steps in the bracket at the working precision: each leaves of the zero's width the
 /// share that the rate is uncertain by. Nothing if the steps come to nothing.
 std::optional<Ratio> refined(long n, Bracket& bracket, const ExtremalFlight& flight, const Options& options) {
@@ -110,7 +100,10 @@ std::optional<Ratio> refined(long n, Bracket& bracket, const ExtremalFlight& fli
         if (!zero) {
             return std::nullopt;
         }
-        Ratio result = critical_ratio(n, *zero);
+        Ratio result{.n = n,
+                     .q_lo = Rational(1) / exact_hi(*zero),
+                     .q_hi = Rational(1) / exact_lo(*zero),
+                     .bits = PrecisionScope::current()};
         if (shared_digits(result.q_lo, result.q_hi, options.digits)) {
             return result;
         }
@@ -141,7 +134,8 @@ std::optional<Ratio> enclose_ratio(long n, const Options& options) {
     const int enough = expected_bits(options.digits, flight.flight);
     for (int bits = least_bits; bits <= most_bits && !options.interrupted(); bits *= 2) {
         const PrecisionScope scope(bits);
-        auto bracket = bracket_from(point_near(guess), flight, options);
+        const BigInterval near = min(midpoint(enclose<BigInterval>(guess)), BigInterval(1));
+        auto bracket = bracket_from(near, flight, options);
         if (!bracket) {
             continue;
         }

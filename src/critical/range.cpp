@@ -7,7 +7,6 @@
 
 #include "base/deadline.hpp"
 #include "base/error.hpp"
-#include "collisions/step_guess.hpp"
 #include "flight/macro/when.hpp"
 #include "number/count_argument.hpp"
 #include "number/parallel.hpp"

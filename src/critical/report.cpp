@@ -139,11 +139,6 @@ std::string range_text(const Report& report) {
     return text;
 }
 
-std::string part_sentence(const CountPart& part) {
-    return fmt::format("Part {} of {} of the critical ratios for N from {} to {}.\n", part.part.number,
-                       part.part.of, part.first, part.last);
-}
-
 Json part_json(const CountPart& part) {
     return Json::object(
         {{"number", part.part.number}, {"of", part.part.of}, {"first", part.first}, {"last", part.last}});
@@ -197,8 +192,9 @@ void leave_out_unreached(Report& report) {
 
 std::string to_text(const Report& report) {
     std::string text = report.request.first == report.request.last ? single_text(report) : range_text(report);
-    if (report.request.part) {
-        text += part_sentence(*report.request.part);
+    if (const auto& part = report.request.part) {
+        text += fmt::format("Part {} of {} of the critical ratios for N from {} to {}.\n", part->part.number,
+                            part->part.of, part->first, part->last);
     }
     if (report.out) {
         text += fmt::format("Table: {}\n", one_line(*report.out));

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "flight/chart.hpp"
-#include "number/rational.hpp"
 
 namespace dumbbell::flight {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "number/elementary.hpp"
-
 namespace dumbbell::flight {
 
 /// From a point with this sine and cosine to the contact, an error of fourth

@@ -10,35 +10,21 @@ Integer::Integer(const std::string& digits) {
     require(mpz_init_set_str(z_, digits.c_str(), 10) == 0, "not the digits of an integer");
 }
 
-Integer& Integer::operator+=(const Integer& y) {
-    mpz_add(z_, z_, y.z_);
+Integer& Integer::with(void (*operation)(mpz_ptr, mpz_srcptr, mpz_srcptr), const Integer& y) {
+    operation(z_, z_, y.z_);
     return *this;
 }
-Integer& Integer::operator-=(const Integer& y) {
-    mpz_sub(z_, z_, y.z_);
-    return *this;
-}
-Integer& Integer::operator*=(const Integer& y) {
-    mpz_mul(z_, z_, y.z_);
+Integer& Integer::with(void (*operation)(mpz_ptr, mpz_srcptr, mp_bitcnt_t), unsigned bits) {
+    operation(z_, z_, bits);
     return *this;
 }
 Integer& Integer::operator/=(const Integer& y) {
     require(mpz_sgn(y.z_) != 0, "an integer is divided by zero");
-    mpz_tdiv_q(z_, z_, y.z_);
-    return *this;
+    return with(mpz_tdiv_q, y);
 }
 Integer& Integer::operator%=(const Integer& y) {
     require(mpz_sgn(y.z_) != 0, "an integer is divided by zero");
-    mpz_tdiv_r(z_, z_, y.z_);
-    return *this;
-}
-Integer& Integer::operator<<=(unsigned bits) {
-    mpz_mul_2exp(z_, z_, bits);
-    return *this;
-}
-Integer& Integer::operator>>=(unsigned bits) {
-    mpz_fdiv_q_2exp(z_, z_, bits);
-    return *this;
+    return with(mpz_tdiv_r, y);
 }
 
 std::ostream& operator<<(std::ostream& out, const Integer& x) { return out << x.str(); }

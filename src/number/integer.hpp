@@ -32,17 +32,17 @@ class Integer {  // NOLINT(cppcoreguidelines-special-member-functions): one assi
     }
     ~Integer() { mpz_clear(z_); }
 
-    Integer& operator+=(const Integer& y);
-    Integer& operator-=(const Integer& y);
-    Integer& operator*=(const Integer& y);
+    Integer& operator+=(const Integer& y) { return with(mpz_add, y); }
+    Integer& operator-=(const Integer& y) { return with(mpz_sub, y); }
+    Integer& operator*=(const Integer& y) { return with(mpz_mul, y); }
     /// Towards zero, as for built-in integers. Throws BrokenInvariant if y is 0.
     Integer& operator/=(const Integer& y);
     /// The remainder of that division, with the sign of this number. Throws BrokenInvariant if y is 0.
     Integer& operator%=(const Integer& y);
     Integer& operator++() { return *this += 1; }
-    Integer& operator<<=(unsigned bits);
+    Integer& operator<<=(unsigned bits) { return with(mpz_mul_2exp, bits); }
     /// Rounded down. For x >= 0, x / 2^bits towards zero.
-    Integer& operator>>=(unsigned bits);
+    Integer& operator>>=(unsigned bits) { return with(mpz_fdiv_q_2exp, bits); }
 
     friend Integer operator+(Integer x, const Integer& y) { return std::move(x += y); }
     friend Integer operator-(Integer x, const Integer& y) { return std::move(x -= y); }
@@ -73,6 +73,9 @@ class Integer {  // NOLINT(cppcoreguidelines-special-member-functions): one assi
     [[nodiscard]] mpz_srcptr raw() const { return z_; }
 
   private:
+    Integer& with(void (*operation)(mpz_ptr, mpz_srcptr, mpz_srcptr), const Integer& y);
+    Integer& with(void (*operation)(mpz_ptr, mpz_srcptr, mp_bitcnt_t), unsigned bits);
+
     mpz_t z_;
 };
 

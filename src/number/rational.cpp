@@ -21,10 +21,7 @@ constexpr int max_exponent = 1000;
 
 /// Takes the longest run of digits off the front of `text`.
 std::string take_digits(std::string_view& text) {
-    std::size_t n = 0;
-    while (n < text.size() && text[n] >= '0' && text[n] <= '9') {
-        ++n;
-    }
+    const std::size_t n = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string digits(text.substr(0, n));
     text.remove_prefix(n);
     return digits;
@@ -95,22 +92,13 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) : Ratio
     mpq_canonicalize(q_);
 }
 
-Rational& Rational::operator+=(const Rational& y) {
-    mpq_add(q_, q_, y.q_);
-    return *this;
-}
-Rational& Rational::operator-=(const Rational& y) {
-    mpq_sub(q_, q_, y.q_);
-    return *this;
-}
-Rational& Rational::operator*=(const Rational& y) {
-    mpq_mul(q_, q_, y.q_);
+Rational& Rational::with(void (*operation)(mpq_ptr, mpq_srcptr, mpq_srcptr), const Rational& y) {
+    operation(q_, q_, y.q_);
     return *this;
 }
 Rational& Rational::operator/=(const Rational& y) {
     require(mpq_sgn(y.q_) != 0, "a rational is divided by zero");
-    mpq_div(q_, q_, y.q_);
-    return *this;
+    return with(mpq_div, y);
 }
 
 std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << to_fraction(x); }

@@ -41,9 +41,9 @@ class Rational {  // NOLINT(cppcoreguidelines-special-member-functions): one ass
         }
     }
 
-    Rational& operator+=(const Rational& y);
-    Rational& operator-=(const Rational& y);
-    Rational& operator*=(const Rational& y);
+    Rational& operator+=(const Rational& y) { return with(mpq_add, y); }
+    Rational& operator-=(const Rational& y) { return with(mpq_sub, y); }
+    Rational& operator*=(const Rational& y) { return with(mpq_mul, y); }
     /// Throws BrokenInvariant if y is 0.
     Rational& operator/=(const Rational& y);
 
@@ -71,6 +71,8 @@ class Rational {  // NOLINT(cppcoreguidelines-special-member-functions): one ass
     [[nodiscard]] mpq_srcptr raw() const { return q_; }
 
   private:
+    Rational& with(void (*operation)(mpq_ptr, mpq_srcptr, mpq_srcptr), const Rational& y);
+
     mpq_t q_;
 };
 

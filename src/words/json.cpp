@@ -34,14 +34,6 @@ Json::Json(std::string_view value) : text_(dumped(value, on_one_line)) {}
 Json::Json(const std::string& value) : Json(std::string_view(value)) {}
 Json::Json(const char* value) : Json(std::string_view(value)) {}
 
-Json::Json(const Json& other) = default;
-Json::Json(Json&& other) noexcept = default;
-Json::~Json() = default;
-Json& Json::operator=(Json other) noexcept {
-    text_.swap(other.text_);
-    return *this;
-}
-
 Json Json::object(std::initializer_list<Member> members) {
     Json json;
     json.text_ = "{}";

@@ -12,9 +12,8 @@
 namespace dumbbell {
 
 /// A value as JSON, made from the inside out and kept as text: the library that knows how strings and numbers
-/// are spelled is in one source file, not in every one that reports. Everything is out of line, for a report
-/// is a long expression of such values.
-class Json {  // NOLINT(cppcoreguidelines-special-member-functions): one assignment does both
+/// are spelled is in one source file, not in every one that reports.
+class Json {
   public:
     /// A field: its name, plain ASCII, and its value.
     struct Member;
@@ -37,10 +36,6 @@ class Json {  // NOLINT(cppcoreguidelines-special-member-functions): one assignm
     template <class T>
     Json(const std::optional<T>& value) : Json(value ? Json(*value) : Json()) {}
     // NOLINTEND(google-explicit-constructor)
-    Json(const Json& other);
-    Json(Json&& other) noexcept;
-    Json& operator=(Json other) noexcept;
-    ~Json();
 
     /// The fields in the order that they are given.
     [[nodiscard]] static Json object(std::initializer_list<Member> members = {});

@@ -4,50 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+
+#include "number/decimal.hpp"
 
 namespace dumbbell {
 namespace {
 
-/// A number of three digits: digits * 10^(exponent - 2), its digits from 100 to 999, or 0.
-struct ThreeDigits {
-    int digits;
-    int exponent;
-
-    [[nodiscard]] Rational value() const {
-        return parse_rational(fmt::format("{}e{}", digits, exponent - 2));
-    }
-    [[nodiscard]] ThreeDigits next() const {
-        return digits == 999 ? ThreeDigits{100, exponent + 1} : ThreeDigits{digits + 1, exponent};
-    }
-    [[nodiscard]] ThreeDigits before() const {
-        return digits == 100 ? ThreeDigits{999, exponent - 1} : ThreeDigits{digits - 1, exponent};
-    }
-    /// As `{:.3g}` writes it.
-    [[nodiscard]] std::string text() const {
-        return exponent < -4 || exponent > 2 ? fmt::format("{:.3g}e{:+03d}", digits / 100.0, exponent)
-                                             : fmt::format("{:.3g}", digits / std::pow(10, 2 - exponent));
-    }
-};
-
-ThreeDigits nearest(double x) {
-    const std::string text = fmt::format("{:.2e}", x);  // 4.32e-40
-    return {std::stoi(text.substr(0, 1) + text.substr(2, 2)), std::stoi(text.substr(5))};
+/// A number of three digits as `{:.3g}` writes it, beyond the doubles, too.
+std::string three_digits(const Decimal& x) {
+    const int digits = x.mantissa.convert_to<int>(), exponent = x.exponent + 2;
+    return exponent < -4 || exponent > 2 ? fmt::format("{:.3g}e{:+03d}", digits / 100.0, exponent)
+                                         : fmt::format("{:.3g}", digits / std::pow(10, -x.exponent));
 }
 
 }  // namespace
 
-std::string rounded_up(const Rational& x) {
-    const ThreeDigits near = nearest(enclose<Interval>(x).hi());
-    return (near.value() < x ? near.next() : near).text();
-}
+std::string rounded_up(const Rational& x) { return three_digits(cut_up(x, 3)); }
 
 std::string rounded_up(double x) { return rounded_up(exact(x)); }
 
-std::string rounded_down(double x) {
-    const ThreeDigits near = nearest(x);
-    return (near.value() > exact(x) ? near.before() : near).text();
-}
+std::string rounded_down(double x) { return x == 0 ? "0" : three_digits(cut_down(exact(x), 3)); }
 
 std::string enclosure_text(const Interval& x) {
     const std::string centre = fmt::format("{:.12g}", unsigned_zero(approximate(x)));

@@ -1,6 +1,6 @@
 // A certificate about the adiabatic invariant: its statement and constants, its boxes, and the orbits that attain values close to
 // the constants.
-import { cover } from "./cover.js";
+import { Cover } from "./cover.js";
 import { h, labelled, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
@@ -68,7 +68,7 @@ function attained(file) {
 }
 
 function boxes(file) {
-    return cover({
+    return new Cover({
         title: `The boxes of the cover of ${file.name}`,
         choices: [{ text: "cover", tree: file.tree, chart: null, explain: "box", marks: null }],
         kinds: file.kinds,

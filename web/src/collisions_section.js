@@ -2,13 +2,13 @@
 import { birth } from "./birth.js";
 import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
-import { cover } from "./cover.js";
+import { Cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
-import { staircase } from "./staircase.js";
+import { Staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
 import { Unfolded } from "./unfolded.js";
 import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
@@ -171,7 +171,7 @@ const fewBoxes = 5;
 /// Folded if it has little to show.
 function coverPart(file) {
     const most = Math.max(...file.pieces.flatMap((piece) => piece.trees.map((tree) => tree.leaves)));
-    const shown = cover(coverSource(file)).element;
+    const shown = new Cover(coverSource(file)).element;
     return most < fewBoxes
         ? h("details", {}, h("summary", {}, `The cover: ${most === 1 ? "1 box" : `${most} boxes`}`), shown)
         : h("div", {}, h("h3", {}, "The cover"), shown);
@@ -191,7 +191,7 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
         played,
         verifyBox(file),
         isRange && h("h3", {}, "The staircase"),
-        isRange && staircase(file, constant).element,
+        isRange && new Staircase(file, constant).element,
         born && h("h3", {}, "How one more collision is born"),
         born,
         unfolded && h("h3", {}, "Why not more? The wedge, unfolded"),

@@ -17,7 +17,7 @@ const hint = "Point at a box, or move the picture with the arrow keys: what lies
 
 const startHint = "Drag the dot, or move it with shift and the arrow keys: what is certified of that start is told here, beside what the page simulates.";
 
-class Cover {
+export class Cover {
     constructor(source) {
         this.source = source;
         this.colouring = source.colourings[0];
@@ -245,5 +245,3 @@ class Cover {
 }
 
 const boxes = (n) => (n === 1 ? "One box" : `${n.toLocaleString("en")} boxes`);
-
-export const cover = (source) => new Cover(source);

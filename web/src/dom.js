@@ -34,14 +34,11 @@ export function labelled(text, control) {
 export const output = (kind, text = "") => h("output", { class: kind, "aria-live": "polite" }, text);
 
 /// choices: [[value, text], ...]
-export function select(choices, value, onchange) {
-    const element = h(
-        "select",
-        { onchange: () => onchange(element.value) },
-        choices.map(([id, text]) => h("option", { value: id, selected: String(id) === String(value) }, text)),
-    );
-    return element;
-}
+export const select = (choices, value, onchange) => h(
+    "select",
+    { onchange: (event) => onchange(event.target.value) },
+    choices.map(([id, text]) => h("option", { value: id, selected: String(id) === String(value) }, text)),
+);
 
 /// head: texts, or null: then the first column names the rows. rows: lists of texts or elements. Columns in `numeric` are
 /// aligned right. It scrolls sideways inside its own frame, never the page.

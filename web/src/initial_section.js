@@ -1,6 +1,6 @@
 // A certificate about initial conditions, or about all incoming trajectories: its boxes, from which orbits can be played, a start
 // that can be dragged, and its shares.
-import { cover } from "./cover.js";
+import { Cover } from "./cover.js";
 import { h, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
@@ -101,7 +101,7 @@ export function initialSection(file, own, isAlone, isFirst) {
     const shares = file.shares.map(({ collisions, share, boxes }) => [collisions === null ? "not decided" : `exactly ${collisions}`, `${show(Number(share) * 100, 5)} %`, boxes.toLocaleString("en")]);
     const beside = new Player();
     const boxes = source(file, own, beside);
-    const map = cover(boxes);
+    const map = new Cover(boxes);
     map.startAt(longest(file, map.tree));
     boxes.simulate(map.fixed);
     if (isFirst) {

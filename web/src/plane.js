@@ -180,12 +180,10 @@ export class Plane {
             c.fillText(text, frame.x - 7, this.Y(at));
         }
         c.textAlign = "center";
-        c.textBaseline = "middle";
         c.fillText(label(options.xLabel), frame.x + frame.width / 2, frame.y + frame.height + margin.bottom - 15);
         c.save();
         c.translate(13, frame.y + frame.height / 2);
         c.rotate(-Math.PI / 2);
-        c.textBaseline = "middle";
         c.fillText(label(options.yLabel), 0, 0);
         c.restore();
     }

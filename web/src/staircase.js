@@ -36,7 +36,7 @@ const scales = {
     },
 };
 
-class Staircase {
+export class Staircase {
     constructor(file, constant) {
         this.file = file;
         this.constant = constant;
@@ -253,5 +253,3 @@ class Staircase {
         return h("figcaption", {}, h("span", { class: "keys" }, keys), `The staircase.${gaps} Zoom with + and \u2212, move with the arrow keys or by dragging, 0 shows everything.`);
     }
 }
-
-export const staircase = (file, constant) => new Staircase(file, constant);

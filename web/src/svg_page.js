@@ -13,7 +13,6 @@ export class SvgPage {
 
     setTransform() {}
     clearRect() {}
-    drawImage() {}
     createPattern() { return "url(#hatching)"; }
     measureText(text) {
         this.canvas.font = this.font;
@@ -37,7 +36,6 @@ export class SvgPage {
     beginPath() { this.path = ""; }
     moveTo(x, y) { this.path += `M${px(x)} ${px(y)}`; }
     lineTo(x, y) { this.path += `${this.path === "" ? "M" : "L"}${px(x)} ${px(y)}`; }
-    closePath() { this.path += "z"; }
     rect(x, y, width, height) { this.path += `M${px(x)} ${px(y)}h${px(width)}v${px(height)}h${px(-width)}z`; }
     /// Whole circles only.
     arc(x, y, radius) { this.path += `M${px(x - radius)} ${px(y)}a${px(radius)} ${px(radius)} 0 1 0 ${px(2 * radius)} 0a${px(radius)} ${px(radius)} 0 1 0 ${px(-2 * radius)} 0`; }

@@ -1,7 +1,5 @@
 #include "cli/claims/body.hpp"
 
-#include <fmt/core.h>
-
 #include "base/error.hpp"
 #include "number/ratio_argument.hpp"
 

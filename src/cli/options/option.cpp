@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/fields.hpp"
-
 namespace dumbbell::cli {
 
-std::vector<std::string> Option::names() const {
-    const auto parts = split(name, ',');
-    return {parts.begin(), parts.end()};
-}
-
-std::vector<std::string> Option::choices() const {
+std::vector<std::string_view> Option::choices() const {
     const std::string_view word = value.substr(0, value.find(' '));
     const bool is_name = std::ranges::any_of(word, [](char c) { return 'A' <= c && c <= 'Z'; });
-    const auto parts = split(word, '|');
-    return is_name || parts.size() == 1 ? std::vector<std::string>{}
-                                        : std::vector<std::string>(parts.begin(), parts.end());
+    return is_name || word.find('|') == std::string_view::npos ? std::vector<std::string_view>{}
+                                                               : split(word, '|');
 }
 
 const Command* Command::below(std::string_view wanted) const {
@@ -27,8 +19,8 @@ const Command* Command::below(std::string_view wanted) const {
     return found == commands.end() ? nullptr : *found;
 }
 
-std::vector<std::string> Command::command_names() const {
-    std::vector<std::string> all;
+std::vector<std::string_view> Command::command_names() const {
+    std::vector<std::string_view> all;
     for (const Command* below : commands) {
         if (!below->group.empty()) {
             all.emplace_back(below->name);
@@ -37,8 +29,8 @@ std::vector<std::string> Command::command_names() const {
     return all;
 }
 
-std::vector<std::string> Command::option_names() const {
-    std::vector<std::string> all{"--help"};
+std::vector<std::string_view> Command::option_names() const {
+    std::vector<std::string_view> all{"--help"};
     for (const Option& option : options) {
         if (!option.is_argument()) {
             std::ranges::copy(option.names(), std::back_inserter(all));

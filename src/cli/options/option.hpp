@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fields.hpp"
+
 /// The commands and options of the program as data. The command line is read by them, and help, man page,
 /// completion and reference are made from them.
 namespace dumbbell::cli {
@@ -54,9 +56,9 @@ struct Option {
 
     [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
     [[nodiscard]] bool is_flag() const { return !is_argument() && value.empty(); }
-    [[nodiscard]] std::vector<std::string> names() const;
+    [[nodiscard]] std::vector<std::string_view> names() const { return split(name, ','); }
     /// All values that there are, if it takes certain words only.
-    [[nodiscard]] std::vector<std::string> choices() const;
+    [[nodiscard]] std::vector<std::string_view> choices() const;
 };
 
 [[nodiscard]] constexpr Option flag(std::string_view name, std::string_view text) { return {name, "", text}; }
@@ -97,9 +99,9 @@ struct Command {
     /// The command of this name below it, or null.
     [[nodiscard]] const Command* below(std::string_view name) const;
     /// Of those below it that its help shows.
-    [[nodiscard]] std::vector<std::string> command_names() const;
+    [[nodiscard]] std::vector<std::string_view> command_names() const;
     /// All names of its options, and --help.
-    [[nodiscard]] std::vector<std::string> option_names() const;
+    [[nodiscard]] std::vector<std::string_view> option_names() const;
     /// Of its topics, in one text.
     [[nodiscard]] std::string topic_names(const char* between) const;
 };

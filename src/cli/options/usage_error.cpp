@@ -12,7 +12,7 @@ namespace dumbbell::cli {
 namespace {
 
 /// The number of letters to insert, remove, replace or exchange with their neighbour.
-std::size_t distance(const std::string& a, const std::string& b) {
+std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> last, before, now(b.size() + 1);
     std::iota(now.begin(), now.end(), 0);
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -30,7 +30,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }
 
 /// `did you mean X? ` for the nearest of the names, if it is near.
-std::string meant(const std::string& word, const std::vector<std::string>& names) {
+std::string meant(std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t longest = 40, far = 3;
     if (word.size() > longest || names.empty()) {
         return "";

@@ -56,7 +56,7 @@ void add_values(std::string& script, const Place& place) {
         const std::string then = is_file(option)   ? "files=yes"
                                  : choices.empty() ? "return"
                                                    : fmt::format("words='{}'", fmt::join(choices, " "));
-        for (const std::string& name : option.names()) {
+        for (const std::string_view name : option.names()) {
             script += fmt::format("        '{} {}') {} ;;\n", place.name, name, then);
         }
     }

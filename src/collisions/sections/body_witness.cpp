@@ -1,7 +1,6 @@
 #include "collisions/sections/body_witness.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "flight/certain_count.hpp"

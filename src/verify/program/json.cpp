@@ -1,7 +1,6 @@
 #include "verify/program/json.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 
 #include "verify/core/section.hpp"

@@ -5,7 +5,6 @@
 
 #include "verify/core/section.hpp"
 #include "verify/program/escape.hpp"
-#include "verify/program/summary.hpp"
 
 namespace dumbbell_verify {
 namespace {

@@ -71,14 +71,6 @@ long most_collisions(const Given& given, const adiabatic::Hypotheses& of) {
     return number >= most ? most : static_cast<long>(number.convert_to<double>());
 }
 
-adiabatic::Result proved_statement(const adiabatic::Request& request) {
-    const Stopwatch watch;
-    adiabatic::Result result;
-    result.proof = adiabatic::prove(request);
-    result.seconds = watch.seconds();
-    return result;
-}
-
 void prove_statements(const std::vector<adiabatic::Hypotheses>& wanted, const Given& given,
                       const Interrupted& interrupted, adiabatic::Report& report) {
     constexpr const char* search = "looking for an orbit with a great error";
@@ -92,7 +84,10 @@ void prove_statements(const std::vector<adiabatic::Hypotheses>& wanted, const Gi
         request.interrupted = interrupted;
         request.observer = &progress;
         progress.enter(search, "");
-        report.results.push_back(proved_statement(request));
+        const Stopwatch watch;
+        adiabatic::Result& result = report.results.emplace_back();
+        result.proof = adiabatic::prove(request);
+        result.seconds = watch.seconds();
     }
 }
 

@@ -12,7 +12,6 @@
 #include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
-#include "cli/terminal/messages.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
 #include "file/limits.hpp"

@@ -5,7 +5,7 @@
 
 #include "verify/functions/exact_value.hpp"
 #include "verify/sections/flights.hpp"
-#include "verify/starts/ray.hpp"
+#include "verify/wings/starts/ray.hpp"
 
 using namespace dumbbell_verify;
 

@@ -168,7 +168,7 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument("bounds")
     options.add_argument("count", type=int)
-    options.add_argument("--second", default=Path(__file__).resolve().parents[3] / "src/second")
+    options.add_argument("--second", default=Path(__file__).resolve().parents[3] / "src/wings/second")
     options = options.parse_args()
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(options.second))

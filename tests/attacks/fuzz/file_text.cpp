@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "rooms/verify/starts/make_file.hpp"
+#include "rooms/verify/wings/starts/make_file.hpp"
 
 namespace dumbbell_fuzz {
 namespace {

@@ -1,7 +1,6 @@
 // The folder of finished pieces: any piece that is kept is found again, as it was; with any bytes in its
 // file, or in the file `claim`, there is that piece, or none, or one message for the user.
 #include <algorithm>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "certificates.hpp"
@@ -17,7 +16,7 @@ namespace {
 using namespace dumbbell_fuzz;
 using namespace dumbbell;
 using namespace dumbbell::collisions;
-using dumbbell_test::contents;
+using dumbbell_test::contents, dumbbell_test::write_file;
 namespace fs = std::filesystem;
 
 /// A mass ratio of the command line: up to 1,000 digits after the point.
@@ -63,10 +62,6 @@ Claim any_claim(Choices& choices) {
 /// As text: the one spelling, so that equal text is equal data.
 std::string text_of(const Piece& piece, const Claim& claim) {
     return render({{"test", "1"}, {piece}, claim.system}).text;
-}
-
-void write(const fs::path& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 
 fs::path file_of_piece(const fs::path& folder) {
@@ -119,12 +114,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         store.keep(piece);
         check_find(store, piece, claim, true);
         if (!whole) {
-            write(file_of_piece(folder), damaged(text_of(piece, claim), choices));
+            write_file(file_of_piece(folder), damaged(text_of(piece, claim), choices));
             check_find(store, piece, claim, false);
         }
     }
     const std::string own = contents(folder / "claim"), other = whole ? own : choices.rest();
-    write(folder / "claim", other);
+    write_file(folder / "claim", other);
     const bool open = opens(folder, claim);
     must(open || other != own, "a folder opens for its own claim");
     must(contents(folder / "claim") == (open ? own : other), "a damaged claim is made again, or left alone");

@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "verify/adiabatic/claim.hpp"
+#include "verify/wings/adiabatic/claim.hpp"
 
 namespace dumbbell_mutation {
 

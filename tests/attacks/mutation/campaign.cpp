@@ -93,7 +93,7 @@ Result verified(const Scratch& file, const Trial& trial) {
             result.argument = argument.text;
         }
     }
-    if (outcome.accepted()) result.text = claim_text(*outcome.proof);
+    if (outcome.accepted()) result.text = claim_without_scene(*outcome.proof);
     return result;
 }
 

@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "verify/program/verify.hpp"
+#include "temporary_folder.hpp"
+#include "verify/program/summary.hpp"
 
 namespace dumbbell_mutation {
 
@@ -17,8 +18,7 @@ struct Outcome {
     [[nodiscard]] bool accepted() const { return verdict == dumbbell_verify::Verdict::verified; }
 };
 
-/// Throws std::runtime_error if that fails.
-void write_file(const std::string& path, const std::string& text);
+using dumbbell_test::write_file;
 
 /// A file of this process for one text after the other, removed at the end. The last text stays readable in
 /// it if the process ends by a signal.
@@ -37,10 +37,7 @@ class Scratch {
 
 [[nodiscard]] Outcome examine(const std::string& path, const dumbbell_verify::Request& settings);
 
-/// The program's exit code for a verdict.
-[[nodiscard]] int exit_code(dumbbell_verify::Verdict verdict);
-
 /// What an accepted file proves, in one line: `upper=4 lower=4 gaps=0 open=0` and the like.
-[[nodiscard]] std::string claim_text(const dumbbell_verify::Verified& proof);
+[[nodiscard]] std::string claim_without_scene(const dumbbell_verify::Verified& proof);
 
 }  // namespace dumbbell_mutation

@@ -105,7 +105,7 @@ dumbbell_verify::Request settings_of(const std::string& options) {
 }
 
 Entry entry_of(const Outcome& outcome) {
-    if (outcome.accepted()) return {"", "", 0, 0, "-", claim_text(*outcome.proof), ""};
+    if (outcome.accepted()) return {"", "", 0, 0, "-", claim_without_scene(*outcome.proof), ""};
     return {"", "", exit_code(outcome.verdict), outcome.line, outcome.code, outcome.text, ""};
 }
 

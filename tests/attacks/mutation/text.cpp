@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "rooms/verify/starts/make_file.hpp"
+#include "rooms/verify/wings/starts/make_file.hpp"
 
 namespace dumbbell_mutation {
 namespace {

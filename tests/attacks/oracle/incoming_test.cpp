@@ -11,10 +11,6 @@ using namespace dumbbell_oracle;
 
 namespace {
 
-Real uniform(std::mt19937_64& engine, double lo, double hi) {
-    return std::uniform_real_distribution<double>(lo, hi)(engine);
-}
-
 /// The state at the height yhat with this angle and direction.
 State<Real> incoming(const Dumbbell<Real>& body, Real phi, Real s, Real yhat) {
     return {phi, s * std::sqrt(body.ratio() / (1 - s * s)), yhat * body.beta2(), -body.beta2()};
@@ -23,11 +19,11 @@ State<Real> incoming(const Dumbbell<Real>& body, Real phi, Real s, Real yhat) {
 }  // namespace
 
 TEST_CASE("L61: the height of the section does not matter, but for a shear") {
-    std::mt19937_64 engine(61);
+    Sampler sampler(1, 61);
     for (int i = 0; i < scaled(3000); ++i) {
-        const Dumbbell<Real> body(std::exp(uniform(engine, 0, 7)));
-        const Real phi = uniform(engine, 0, 6.28), s = uniform(engine, -0.99, 0.99),
-                   rise = uniform(engine, 0, 3);
+        const Dumbbell<Real> body(std::exp(sampler.uniform(0, 7)));
+        const Real phi = sampler.uniform(0, 6.28), s = sampler.uniform(-0.99, 0.99),
+                   rise = sampler.uniform(0, 3);
         const State<Real> low = incoming(body, phi, s, 1.001L);
         const auto from_low = simulate(body, low);
         const auto from_high = simulate(body, incoming(body, phi - low.phidot * rise, s, 1.001L + rise));
@@ -38,10 +34,10 @@ TEST_CASE("L61: the height of the section does not matter, but for a shear") {
 }
 
 TEST_CASE("L61: the mirror image has as many collisions") {
-    std::mt19937_64 engine(62);
+    Sampler sampler(1, 62);
     for (int i = 0; i < scaled(3000); ++i) {
-        const Dumbbell<Real> body(std::exp(uniform(engine, 0, 7)));
-        const Real phi = uniform(engine, 0, 6.28), s = uniform(engine, -0.99, 0.99);
+        const Dumbbell<Real> body(std::exp(sampler.uniform(0, 7)));
+        const Real phi = sampler.uniform(0, 6.28), s = sampler.uniform(-0.99, 0.99);
         const auto one = simulate(body, incoming(body, phi, s, 2));
         const auto other = simulate(body, incoming(body, pi<Real>() - phi, -s, 2));
         INFO(say("q", body.ratio(), "phi", phi, "s", s));
@@ -51,6 +47,7 @@ TEST_CASE("L61: the mirror image has as many collisions") {
 
 TEST_CASE("L61: a gas of dumbbells arrives evenly in phi and in s, with any horizontal motion") {
     std::mt19937_64 engine(63);
+    Sampler sampler(1, 63);
     std::normal_distribution<double> normal;
     constexpr int cells = 5;
     std::array<int, cells * cells> found{};
@@ -60,7 +57,7 @@ TEST_CASE("L61: a gas of dumbbells arrives evenly in phi and in s, with any hori
         // far as any of them falls in the time 1; angles anywhere.
         const Real x = normal(engine), spin = normal(engine), fall = normal(engine);
         const Real speed = std::sqrt(x * x + spin * spin + fall * fall);
-        const Real psi = uniform(engine, 0, 2 * pi<double>()), height = uniform(engine, 0, 1);
+        const Real psi = sampler.uniform(0, 2 * pi<double>()), height = sampler.uniform(0, 1);
         const Real down = -fall / speed;  // in z = sqrt(q) yhat
         if (down < height) {
             continue;

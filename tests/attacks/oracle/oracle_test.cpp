@@ -79,6 +79,20 @@ Real lowest_between(const Dumbbell<Real>& body, const State<Real>& from, Real du
     return lowest;
 }
 
+// Calls use(body, start, contact) for the contacts among so many random starts of all families, of which
+// every fiftieth is at a mass ratio of up to `sometimes`.
+template <class Use>
+void each_contact(std::uint64_t seed, long starts, double greatest, double sometimes, const Use& use) {
+    Sampler seeds(1, seed);
+    for (long i = 0; i < starts; ++i) {
+        const double ratio = random_ratio(seeds, i % 50 == 0 ? sometimes : greatest);
+        const Dumbbell<Real> body(ratio);
+        const Start start = Sampler(ratio, static_cast<std::uint64_t>(i)).next(all_families[i % 8]);
+        const auto real = realize(body, start);
+        if (const auto* contact = std::get_if<Contact<Real>>(&real)) use(body, start, *contact);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("L0: impulse on the touching mass, law (4) of the paper and law (1) agree") {
@@ -104,107 +118,80 @@ TEST_CASE("L0: impulse on the touching mass, law (4) of the paper and law (1) ag
 }
 
 TEST_CASE("the simulation never lets a mass through the floor, and keeps the energy") {
-    Sampler seeds(1, 102);
-    for (int i = 0; i < scaled(4'000); ++i) {
-        const double ratio = random_ratio(seeds, 1e4);
-        Sampler sampler(ratio, static_cast<std::uint64_t>(i));
-        const Dumbbell<Real> body(ratio);
-        const Start start = sampler.next(all_families[i % 8]);
-        if (total_collisions(body, start).care.doubtful()) continue;
-        const auto real = realize(body, start);
-        const auto* contact = std::get_if<Contact<Real>>(&real);
-        if (contact == nullptr) continue;
-        const auto all = whole_trajectory(body, *contact);
+    each_contact(102, scaled(4'000), 1e4, 1e4, [&](const auto& body, const auto& start, const auto& contact) {
+        if (total_collisions(body, start).care.doubtful()) return;
+        const auto all = whole_trajectory(body, contact);
         for (std::size_t k = 0; k + 1 < all.size(); ++k) {
             const Real lowest = lowest_between(body, all[k].after, all[k + 1].time - all[k].time);
             const Real energy = body.twice_energy(all[k + 1].after) / body.twice_energy(all[k].after);
             if (lowest < -1e-14L || !close(energy, 1, 1e-14L)) {
-                FAIL(say(ratio, describe(start), "flight", k, "lowest", lowest, "energy", energy));
+                FAIL(say(body.ratio(), describe(start), "flight", k, "lowest", lowest, "energy", energy));
             }
         }
         const Collision<Real>& end = all.back();
         for (const Real duration : {1.0L, 10.0L, 1000.0L}) {
             const Real time = duration / (std::abs(end.after.phidot) + std::abs(end.after.ydot));
             if (lowest_between(body, end.after, time) < -1e-14L)
-                FAIL(say(ratio, describe(start), "last flight"));
+                FAIL(say(body.ratio(), describe(start), "last flight"));
         }
-    }
+    });
     SUCCEED();
 }
 
 TEST_CASE("running a trajectory backwards from its end repeats it") {
-    Sampler seeds(1, 103);
-    for (int i = 0; i < scaled(4'000); ++i) {
-        const double ratio = random_ratio(seeds, 1e3);
-        Sampler sampler(ratio, static_cast<std::uint64_t>(i));
-        const Dumbbell<Real> body(ratio);
-        const Start start = sampler.next(all_families[i % 8]);
-        const auto real = realize(body, start);
-        const auto* contact = std::get_if<Contact<Real>>(&real);
+    each_contact(103, scaled(4'000), 1e3, 1e3, [&](const auto& body, const auto& start, const auto& contact) {
         // Errors grow like the reciprocal sine at each contact: keep away from grazing ones.
-        if (contact == nullptr || total_collisions(body, *contact).care.least_sine < 1e-3) continue;
-        const auto there = simulate(body, contact->after, contact->mass);
-        if (there.care.near_tangent(1e-6) || there.care.near_corner(1e-3)) continue;
-        if (there.collisions.empty()) continue;
+        if (total_collisions(body, contact).care.least_sine < 1e-3) return;
+        const auto there = simulate(body, contact.after, contact.mass);
+        if (there.care.near_tangent(1e-6) || there.care.near_corner(1e-3)) return;
+        if (there.collisions.empty()) return;
         State<Real> later = there.last;
         later.phi += later.phidot * 0.1L;
         later.y += later.ydot * 0.1L;
         const auto back = simulate(body, reversed(later));
         if (back.collisions.size() < there.collisions.size()) {
-            FAIL(say(ratio, describe(start), there.collisions.size(), back.collisions.size()));
+            FAIL(say(body.ratio(), describe(start), there.collisions.size(), back.collisions.size()));
         }
-    }
+    });
     SUCCEED();
 }
 
 TEST_CASE("the chart coordinates of a collision stand for the same trajectory") {
-    Sampler seeds(1, 104);
     int bridges = 0;
     int lights = 0;
-    for (int i = 0; i < scaled(6'000); ++i) {
-        const double ratio = random_ratio(seeds, 1e3);
-        Sampler sampler(ratio, static_cast<std::uint64_t>(i));
-        const Dumbbell<Real> body(ratio);
-        const auto real = realize(body, sampler.next(all_families[i % 8]));
-        const auto* contact = std::get_if<Contact<Real>>(&real);
-        if (contact == nullptr) continue;
-        const auto total = total_collisions(body, *contact);
-        if (total.care.near_tangent(1e-7) || total.care.near_corner(1e-3)) continue;
-        bool covered = total.collisions == 1 || total.heavy > 0;
-        for (const auto& collision : whole_trajectory(body, *contact)) {
-            const auto bridge = bridge_state_of(body, collision);
-            const auto light = light_state_of(body, collision);
-            bridges += bridge.has_value();
-            lights += light.has_value();
-            covered = covered || light.has_value();
-            if (bridge)
-                CHECK(total_collisions(body, contact_of(body, *bridge)).collisions == total.collisions);
-            if (light) CHECK(total_collisions(body, contact_of(body, *light)).collisions == total.collisions);
-        }
-        // L9: without the bridge and with more than one collision there is a state of the light chart.
-        if (!covered) FAIL(say("not in the light chart: q", ratio));
-    }
+    each_contact(
+        104, scaled(6'000), 1e3, 1e3, [&](const auto& body, const auto& /*unused*/, const auto& contact) {
+            const auto total = total_collisions(body, contact);
+            if (total.care.near_tangent(1e-7) || total.care.near_corner(1e-3)) return;
+            bool covered = total.collisions == 1 || total.heavy > 0;
+            for (const auto& collision : whole_trajectory(body, contact)) {
+                const auto bridge = bridge_state_of(body, collision);
+                const auto light = light_state_of(body, collision);
+                bridges += bridge.has_value();
+                lights += light.has_value();
+                covered = covered || light.has_value();
+                if (bridge)
+                    CHECK(total_collisions(body, contact_of(body, *bridge)).collisions == total.collisions);
+                if (light)
+                    CHECK(total_collisions(body, contact_of(body, *light)).collisions == total.collisions);
+            }
+            // L9: without the bridge and with more than one collision there is a state of the light chart.
+            if (!covered) FAIL(say("not in the light chart: q", body.ratio()));
+        });
     CHECK(bridges > 500);
     CHECK(lights > 500);
 }
 
 TEST_CASE("L1, L2, L3, L6: no return, one cell, turning, steep rays leave, one bridge contact") {
-    Sampler seeds(1, 105);
-    for (int i = 0; i < scaled(30'000); ++i) {
-        const double ratio = random_ratio(seeds, i % 50 == 0 ? 1e5 : 300);
-        Sampler sampler(ratio, static_cast<std::uint64_t>(i));
-        const Dumbbell<Real> body(ratio);
-        const Start start = sampler.next(all_families[i % 8]);
-        const auto real = realize(body, start);
-        const auto* contact = std::get_if<Contact<Real>>(&real);
-        if (contact == nullptr) continue;
-        const auto all = whole_trajectory(body, *contact);
-        Real gap = 1;
-        for (const auto& collision : all)
-            gap = std::min(gap, std::sin(place_of(collision.mass, collision.after).e));
-        if (gap < 1e-4L) continue;
-        const std::string wrong = broken_rule(body, all);
-        if (!wrong.empty()) FAIL(say("q", ratio, describe(start), wrong));
-    }
+    each_contact(105, scaled(30'000), 300, 1e5,
+                 [&](const auto& body, const auto& start, const auto& contact) {
+                     const auto all = whole_trajectory(body, contact);
+                     Real gap = 1;
+                     for (const auto& collision : all)
+                         gap = std::min(gap, std::sin(place_of(collision.mass, collision.after).e));
+                     if (gap < 1e-4L) return;
+                     const std::string wrong = broken_rule(body, all);
+                     if (!wrong.empty()) FAIL(say("q", body.ratio(), describe(start), wrong));
+                 });
     SUCCEED();
 }

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[3]
-FOLDER = PROJECT / "src/second"
+FOLDER = PROJECT / "src/wings/second"
 SCALE = int(os.environ.get("DUMBBELL_TEST_SCALE", "1"))  # how much the tests try
 
 sys.dont_write_bytecode = True

@@ -25,34 +25,40 @@ def below(folder, sources, headers=""):
 VERIFIER = {
     # the numbers
     **below("verify", "machine/arithmetic machine/work",
-            "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:starts/leaf "
+            "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:wings/starts/leaf "
             "machine/meter:machine/work"),
     # the leaves
-    **below("verify", "core/turning macro/leaps sections/body sections/full sections/wedge starts/leaf",
+    **below("verify", "core/turning macro/leaps sections/body sections/full sections/wedge wings/starts/leaf",
             "core/ray:core/turning core/section:core/turning sections/bridge:sections/full sections/flights:sections/body "
-            "starts/flight:starts/leaf starts/ray:starts/leaf starts/reflection:starts/leaf"),
+            "wings/starts/flight:wings/starts/leaf wings/starts/ray:wings/starts/leaf "
+            "wings/starts/reflection:wings/starts/leaf"),
     # the files and their claims
-    **below("verify", "core/certificate core/claim starts/grammar starts/claim program/verify",
+    **below("verify", "core/certificate core/claim wings/starts/grammar wings/starts/claim program/verify",
             "core/proofs:core/certificate core/text:core/certificate core/tree:core/certificate core/reader:core/certificate "
-            "core/settings:core/certificate core/claim:program/verify input/bytes:program/verify starts/grammar:starts/grammar "
-            "starts/zero:starts/grammar"),
+            "core/settings:core/certificate core/claim:program/verify input/bytes:program/verify "
+            "wings/starts/grammar:wings/starts/grammar  "
+            "wings/starts/zero:wings/starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
     **below("verify/program", "options option_table claim_options claim_list together "
             "examine main summary json junit escape replace_file", "arguments:options"),
 }
 
 ADIABATIC = below(
-    "verify", "adiabatic/grammar adiabatic/attained adiabatic/bounce adiabatic/claim adiabatic/class adiabatic/bounces",
-    "adiabatic/grammar:adiabatic/grammar adiabatic/bounce:adiabatic/bounces adiabatic/check:adiabatic/bounces "
-    "adiabatic/claim:adiabatic/claim adiabatic/contact:adiabatic/bounces adiabatic/potential:adiabatic/class "
-    "adiabatic/arcsine:adiabatic/bounces")
+    "verify",
+    "wings/adiabatic/grammar wings/adiabatic/attained wings/adiabatic/bounce wings/adiabatic/claim wings/adiabatic/class "
+    "wings/adiabatic/bounces",
+    "wings/adiabatic/grammar:wings/adiabatic/grammar wings/adiabatic/bounce:wings/adiabatic/bounces "
+    "wings/adiabatic/check:wings/adiabatic/bounces  "
+    "wings/adiabatic/claim:wings/adiabatic/claim wings/adiabatic/contact:wings/adiabatic/bounces "
+    "wings/adiabatic/potential:wings/adiabatic/class  "
+    "wings/adiabatic/arcsine:wings/adiabatic/bounces")
 
 GROUPS = {
     "verify": Group(
         files=VERIFIER,
         # Guesses, from which certified steps start; and what `--explain` and a terminal show to people.
         left_out=frozenset({"guess_crossing", "terms", "describe", "log", "note", "block", "demand_text"}),
-        texts=frozenset(("verify/starts/claim.cpp", "verify/core/claim.cpp", *(
+        texts=frozenset(("verify/wings/starts/claim.cpp", "verify/core/claim.cpp", *(
             f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "main", "together")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
@@ -63,20 +69,21 @@ GROUPS = {
     "adiabatic": Group(
         files=ADIABATIC,
         left_out=frozenset(),
-        texts=frozenset({"verify/adiabatic/claim.cpp"}),
+        texts=frozenset({"verify/wings/adiabatic/claim.cpp"}),
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
     "law": Group(  # its numbers and rules
-        files=below("verify", "law/bulk law/end law/layer",
-                    "law/constants:law/grammar law/kernel:law/layer law/rule:law/layer law/slope:law/layer law/steps:law/grammar"),
+        files=below("verify", "wings/law/bulk wings/law/end wings/law/layer",
+                    "wings/law/constants:wings/law/grammar wings/law/kernel:wings/law/layer wings/law/rule:wings/law/layer "
+                    "wings/law/slope:wings/law/layer wings/law/steps:wings/law/grammar"),
         left_out=frozenset(),
         targets=("dumbbell-verify", "test_verify_law"),
         programs=("tests/rooms/verify/test_verify_law",)),
     "law_files": Group(
-        files=below("verify", "law/claim law/grammar"),
+        files=below("verify", "wings/law/claim wings/law/grammar"),
         left_out=frozenset(),
-        texts=frozenset({"verify/law/claim.cpp"}),
+        texts=frozenset({"verify/wings/law/claim.cpp"}),
         targets=("dumbbell-verify", "test_verify", "test_verify_law"),
         programs=tuple(f"tests/rooms/verify/test_{name}" for name in ("verify_law", "verify"))),
     "interval": Group(
@@ -110,19 +117,20 @@ GROUPS = {
         targets=("test_critical",),
         programs=("tests/rooms/critical/test_critical",)),
     "starts": Group(
-        files=below("starts", "cover/leaf air/box_state answer/reader cover/subdivide answer/trace answer/witness_start answer/writer",
+        files=below("wings/starts",
+                    "cover/leaf air/box_state answer/reader cover/subdivide answer/trace answer/witness_start answer/writer",
                     "air/box_state:air/box_state cover/subdivide:cover/subdivide"),
         left_out=frozenset(),
         targets=("test_starts",),
-        programs=("tests/rooms/starts/test_starts",),
-        texts=frozenset({"starts/answer/writer.cpp"})),
+        programs=("tests/rooms/wings/starts/test_starts",),
+        texts=frozenset({"wings/starts/answer/writer.cpp"})),
     "invariant": Group(  # the search for adiabatic statements
-        files=below("adiabatic", "attained box classes cover hypotheses prove reader search writer",
+        files=below("wings/adiabatic", "attained box classes cover hypotheses prove reader search writer",
                     "box:box"),
         left_out=frozenset(),
         targets=("test_adiabatic",),
-        programs=("tests/rooms/adiabatic/test_adiabatic",),
-        texts=frozenset({"adiabatic/writer.cpp"})),
+        programs=("tests/rooms/wings/adiabatic/test_adiabatic",),
+        texts=frozenset({"wings/adiabatic/writer.cpp"})),
     "file": Group(
         files=below("file", "atomic_file dyadic file_contents folder_lock last_line lines sealed_lines sha256 unpacked_text "
                     "verifier_program",
@@ -132,8 +140,8 @@ GROUPS = {
         programs=("tests/rooms/file/test_file", "tests/rooms/collisions/test_collisions"),
         texts=frozenset({"file/dyadic.cpp"})),
     "audit": Group(  # but for the report, which the tests of the command read
-        files=below("audit", "audit tiling"),
+        files=below("wings/audit", "audit tiling"),
         left_out=frozenset(),
         targets=("test_audit",),
-        programs=("tests/rooms/audit/test_audit",)),
+        programs=("tests/rooms/wings/audit/test_audit",)),
 }

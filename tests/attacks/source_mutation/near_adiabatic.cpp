@@ -10,7 +10,7 @@
 #include <random>
 
 #include "near_main.hpp"
-#include "rooms/verify/adiabatic/rows.hpp"
+#include "rooms/verify/wings/adiabatic/rows.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "near_main.hpp"
-#include "rooms/verify/law/rows.hpp"
+#include "rooms/verify/wings/law/rows.hpp"
 
 namespace {
 

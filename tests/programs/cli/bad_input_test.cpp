@@ -8,26 +8,10 @@
 
 using namespace dumbbell_test;
 
-TEST_CASE("what is no positive ratio is refused, with a hint how to write one") {
-    for (const char* ratio : {"-1", "nan", "", " ", "10x", "1/2/3", "1e1001", "\xc2\xbd", "1\n2"}) {
-        CAPTURE(ratio);
-        refused({"certify", ratio, "--out", "file.dbc"});
-    }
-    CHECK_THAT(refused({"certify", "ten"}), Contains("write it like"));
-}
-
-TEST_CASE("zero is refused however it is written") {
-    for (const char* ratio : {"0", "0.0", "0/5", "0e10", "0:5", "0:0"}) {
-        refused({"certify", ratio, "--out", "file.dbc"});
-    }
-    CHECK_THAT(refused({"certify", "0"}), Contains("greater than 0"));
-    CHECK_THAT(refused({"certify", "1/0"}), Contains("zero"));
-}
-
 TEST_CASE("reversed, incomplete and crossing ranges are refused, with what to do") {
     CHECK_THAT(refused({"certify", "5:3"}), Contains("smaller ratio first"));
     CHECK_THAT(refused({"certify", "0.5:2"}), Contains("write 1:2 ("));
-    for (const char* range : {"1:", ":2", ":", "1:2:3", "1::2", "1-2", "1..2", "a:b"}) {
+    for (const char* range : {"1:", ":2", ":", "1:2:3", "1::2", "1-2", "1..2", "a:b", "0:5", "0:0"}) {
         CAPTURE(range);
         refused({"certify", range, "--out", "file.dbc"});
     }
@@ -165,27 +149,6 @@ TEST_CASE("an output without a name is refused by each command that has one", "[
     }
 }
 
-TEST_CASE("names of files cannot break a message into lines, or move the terminal's cursor", "[wings]") {
-    const std::string name = "a\nb\033[31m\177/x";
-    CHECK_THAT(refused({"certify", "10", "--out", name}), Contains("'a?b?[31m?/x'"));
-    CHECK_THAT(refused({"audit", name}), Contains("'a?b?[31m?/x'"));
-    CHECK_THAT(refused({"audit",
-                        "Gr\xc3\xb6\xc3\x9f"
-                        "e"}),
-               Contains("'Gr\xc3\xb6\xc3\x9f"
-                        "e'"));
-}
-
-TEST_CASE("an input that cannot be read is named, with the cause", "[wings]") {
-    const std::string name(300, 'x');
-    for (const Words& words : std::vector<Words>{{"audit", name},
-                                                 {"report", name, "--out", "x.html"},
-                                                 {"plot", "staircase", name, "--out", "x.svg"}}) {
-        CAPTURE(words);
-        CHECK_THAT(refused(words), Contains("cannot read '" + name + "': File name too long\n"));
-    }
-}
-
 TEST_CASE("too few open files are no internal error") {
     // Some are open already where the tests run: so each number until there are enough.
     for (int most = 3, code = 127; code != 0 && most < 100; ++most) {
@@ -249,13 +212,6 @@ TEST_CASE("plot refuses what is no certificate over a range", "[wings]") {
     refused({"plot", "staircase", DUMBBELL_BIN, "--out", "stairs.svg"});
     refused({"plot", "staircase", "missing.dbc"});
     refused({"plot", "staircase"});
-}
-
-TEST_CASE("messages are plain ASCII whatever was typed") {
-    for (const char* ratio : {"\x1b[31mred", "\xff\xfe", "tab\there", "bell\a"}) {
-        const std::string message = refused({"certify", ratio});
-        CHECK(std::all_of(message.begin(), message.end() - 1, [](char c) { return c >= ' ' && c <= '~'; }));
-    }
 }
 
 TEST_CASE("the exit code is the same where the message cannot be written") {

@@ -17,26 +17,6 @@ TEST_CASE("the option --out writes a certificate and --json names it with its ch
     CHECK(last_line(contents(folder / "ten.dbc")) == "sha256 " + json.at("sha256").get<std::string>());
 }
 
-TEST_CASE("the option --out FILE.gz writes the same certificate compressed") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc"}, folder.path()).code == 0);
-    REQUIRE(dumbbell({"certify", "1:100", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
-    CHECK(contents(folder / "stairs.dbc.gz").size() < contents(folder / "stairs.dbc").size());
-    const Outcome unpacked = run({"gzip", "-dc", folder / "stairs.dbc.gz"});
-    REQUIRE(unpacked.code == 0);
-    CHECK(unpacked.out == contents(folder / "stairs.dbc"));
-}
-
-TEST_CASE("9/2, 4.5, 45e-1 and, with the masses swapped, 2/9 give identical certificates") {
-    const TemporaryFolder folder;
-    const std::string expected = contents(certificate(folder, "9/2"));
-    CHECK_THAT(expected, Contains("ratio 9/2 9/2\n"));
-    for (const char* spelling : {"4.5", "45e-1", "45E-1", "0.45e+1", "0004.5000", "90/20", "2/9"}) {
-        CAPTURE(spelling);
-        CHECK(contents(certificate(folder, spelling)) == expected);
-    }
-}
-
 TEST_CASE("below 1 the masses are swapped, and the program says so") {
     const Outcome tenth = dumbbell({"certify", "0.1"});
     CHECK(tenth.code == 0);

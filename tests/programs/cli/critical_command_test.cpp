@@ -4,19 +4,6 @@
 
 using namespace dumbbell_test;
 
-namespace {
-
-nlohmann::json json_of(Words arguments) {
-    arguments.push_back("--json");
-    const Outcome result = dumbbell(arguments);
-    CAPTURE(result.err);
-    REQUIRE(result.code == 0);
-    CHECK(result.err.empty());
-    return nlohmann::json::parse(result.out);
-}
-
-}  // namespace
-
 TEST_CASE("critical 4 prints 15 proved digits, and what they rest on") {
     const Outcome result = dumbbell({"critical", "4"});
     CHECK(result.code == 0);
@@ -24,41 +11,6 @@ TEST_CASE("critical 4 prints 15 proved digits, and what they rest on") {
     CHECK_THAT(result.out, StartsWith("q_c(4) = 4.60333884875170...\n"));
     CHECK_THAT(result.out, Contains("steps from 3 to 4") && Contains("theorem 2 of proofs/theorem.md") &&
                                Contains("do not use"));
-}
-
-TEST_CASE("critical 4 with 200 and 1000 digits has the right ones") {
-    const auto digits = [](const char* n) {
-        return json_of({"critical", "4", "--digits", n}).at("ratios").at(0).at("q_c").get<std::string>();
-    };
-    const std::string some = digits("200"), many = digits("1000");
-    CHECK(some.size() == 201);
-    CHECK_THAT(some, StartsWith("4.60333884875170035255658202910301651306739713416053234603943"));
-    CHECK_THAT(some, EndsWith("816266515463097253546184"));
-    CHECK(many.size() == 1001);
-    CHECK_THAT(many, StartsWith(some));
-}
-
-TEST_CASE("critical 3 is exactly 1") {
-    CHECK_THAT(dumbbell({"critical", "3"}).out, StartsWith("q_c(3) = 1\n"));
-    const auto three = json_of({"critical", "3"}).at("ratios").at(0);
-    CHECK(three.at("exact") == true);
-    CHECK(three.at("lo") == "1");
-    CHECK(three.at("hi") == "1");
-}
-
-TEST_CASE("a range is a table in order, as text and as JSON, whatever the threads") {
-    const Outcome table = dumbbell({"critical", "3:12", "--digits", "20"});
-    CHECK(table.code == 0);
-    CHECK_THAT(table.out, Contains(" 3  1 ") && Contains("\n12  127.68999830716027915...") &&
-                              Contains("10 critical ratios in "));
-    auto one = json_of({"critical", "3:12", "--jobs", "1"});
-    auto two = json_of({"critical", "3:12", "--jobs", "2"});
-    CHECK(one.at("schema") == "dumbbell-critical-1");
-    REQUIRE(one.at("ratios").size() == 10);
-    for (long i = 0; i < 10; ++i) {
-        CHECK(one.at("ratios").at(static_cast<std::size_t>(i)).at("n") == i + 3);
-    }
-    CHECK(one.at("ratios") == two.at("ratios"));
 }
 
 TEST_CASE("critical within a budget: what was finished is printed, and exit 3 tells that not all was") {

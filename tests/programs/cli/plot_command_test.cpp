@@ -2,7 +2,7 @@
 
 #include "catch.hpp"
 #include "programs.hpp"
-#include "rooms/pictures/xml.hpp"
+#include "rooms/wings/pictures/xml.hpp"
 
 using namespace dumbbell_test;
 

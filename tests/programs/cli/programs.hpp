@@ -69,15 +69,6 @@ inline void write_sealed(const std::string& path, std::string text) {
     write_file(path, text + "sha256 " + run({"sha256sum", path}).out.substr(0, 64) + "\n");
 }
 
-inline Words lines_of(const std::string& text) {
-    Words lines;
-    std::istringstream rest(text);
-    for (std::string line; std::getline(rest, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
-
 inline std::string last_line(const std::string& text) {
     if (text.empty() || text.back() != '\n') {
         throw std::runtime_error("no last line: " + text);

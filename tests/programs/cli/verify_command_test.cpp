@@ -33,35 +33,6 @@ TEST_CASE("the ratios of the promise: certified, verified, and exactly N proved,
     }
 }
 
-TEST_CASE("a staircase proves what is true of its parts, and nothing that is false of one of them") {
-    const TemporaryFolder folder;
-    const std::string file = certificate(folder, "1:100");
-    check_verified(verifier({"--ratio", "1:100", "--max", "10", file}));
-    check_rejected(verifier({"--ratio", "1:100", "--max", "9", file}));
-    check_verified(verifier({"--ratio", "1:100", "--min", "2", file}));
-    check_rejected(verifier({"--ratio", "1:100", "--min", "3", file}));
-    check_verified(verifier({"--ratio", "5:11", "--exactly", "4", file}));
-    check_verified(verifier({"--ratio", "5", "--exactly", "4", file}));
-    check_rejected(verifier({"--ratio", "4.6:4.61", "--exactly", "4", file}));
-    check_rejected(verifier({"--ratio", "4.6:4.61", "--exactly", "3", file}));
-    check_rejected(verifier({"--ratio", "5:12", "--exactly", "4", file}));
-    check_rejected(verifier({"--ratio", "99:101", "--max", "10", file}));
-    check_verified(verifier({"--ratio", "1", "--exactly", "2", file}));
-}
-
-TEST_CASE("next to critical ratios, in higher precision and compressed, certificates are verified too") {
-    const TemporaryFolder folder;
-    check_verified(verifier(
-        {"--ratio", "4.603338848751700", "--exactly", "3", certificate(folder, "4.603338848751700")}));
-    check_verified(verifier(
-        {"--ratio", "4.603338848751701", "--exactly", "4", certificate(folder, "4.603338848751701")}));
-    check_verified(verifier({"--exactly", "4", certificate(folder, "11.36225920")}));
-    check_verified(
-        verifier({"--ratio", "1.000000000001", "--exactly", "3", certificate(folder, "1.000000000001")}));
-    REQUIRE(dumbbell({"certify", "1:20", "--out", "stairs.dbc.gz"}, folder.path()).code == 0);
-    check_verified(verifier({folder / "stairs.dbc.gz"}));
-}
-
 TEST_CASE("ranges with narrow gaps, at critical ratios and beyond 1000 are verified") {
     const TemporaryFolder folder;
     check_verified(verifier({certificate(folder, "4.60333884875:4.60333884876", {"--gap", "1e-3"})}));

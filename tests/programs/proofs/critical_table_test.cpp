@@ -18,16 +18,7 @@ using Lines = std::vector<std::string>;
 constexpr long first = 3;
 constexpr long last = 902;
 
-const std::string table = DUMBBELL_PROJECT "/certificates/critical-ratios.tsv";
-
-Lines lines_of(const std::string& path) {
-    Lines lines;
-    std::istringstream in(contents(path));
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
+const Lines table = lines_of(contents(DUMBBELL_PROJECT "/certificates/critical-ratios.tsv"));
 
 Lines made(const std::string& counts) {
     const TemporaryFolder folder;
@@ -35,7 +26,7 @@ Lines made(const std::string& counts) {
         run({DUMBBELL_BIN, "critical", counts, "--digits", "50", "--out", folder / "made.tsv"});
     CAPTURE(result.err);
     REQUIRE(result.code == 0);
-    return lines_of(folder / "made.tsv");
+    return lines_of(contents(folder / "made.tsv"));
 }
 
 Lines without_remarks(Lines lines) {
@@ -54,7 +45,7 @@ dumbbell::collisions::Certificate staircase(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the table of critical ratios has every N from 3 to 902, with 50 digits, increasing") {
-    const Lines rows = without_remarks(lines_of(table));
+    const Lines rows = without_remarks(table);
     REQUIRE(rows.size() == last - first + 1);
     long double previous = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -71,12 +62,11 @@ TEST_CASE("the table of critical ratios has every N from 3 to 902, with 50 digit
 }
 
 TEST_CASE("a sample of the table of critical ratios is made again, byte for byte") {
-    const Lines shipped = lines_of(table);
-    const Lines rows = without_remarks(shipped);
+    const Lines rows = without_remarks(table);
     // The first rows with the remarks in front.
     const Lines beginning = made("3:40");
-    REQUIRE(beginning.size() <= shipped.size());
-    CHECK(std::equal(beginning.begin(), beginning.end(), shipped.begin()));
+    REQUIRE(beginning.size() <= table.size());
+    CHECK(std::equal(beginning.begin(), beginning.end(), table.begin()));
     std::mt19937_64 engine(2026);
     for (int i = 0; i < 12; ++i) {
         const auto n = first + static_cast<long>(engine() % (last - first + 1));
@@ -89,7 +79,7 @@ TEST_CASE("a sample of the table of critical ratios is made again, byte for byte
 
 TEST_CASE("the covers and the two orbits of the theorem agree on [1, 10^6]") {
     // The staircases know nothing of the theorem, the table nothing of the covers.
-    const Lines rows = without_remarks(lines_of(table));
+    const Lines rows = without_remarks(table);
     for (const char* name : staircases) {
         const auto stairs = staircase(name);
         for (const dumbbell::collisions::Piece& piece : stairs.pieces) {

@@ -135,7 +135,7 @@ class WhatGoesIn(unittest.TestCase):
 
 class Questions(unittest.TestCase):
     def test_the_module_answers_as_the_programs_do(self):
-        rows = [row.split("\t") for row in (ROOT / "tests/rooms/api/questions.tsv").read_text().splitlines() if not row.startswith("#")]
+        rows = [row.split("\t") for row in (ROOT / "tests/rooms/wings/api/questions.tsv").read_text().splitlines() if not row.startswith("#")]
         self.assertGreater(len(rows), 40)
         for question, answer in rows:
             with self.subTest(question):

@@ -63,7 +63,7 @@ TEST_CASE(
 }
 
 TEST_CASE("On the edge, without mass between the contacts, bodies have what dumbbells have") {
-    Choices choices(463);
+    Random choices(463);
     for (int i = 0; i < scaled(5); ++i) {
         const Rational q = exact(choices.log_uniform(1.01, 20));
         CertifyRequest dumbbell;

@@ -1,4 +1,4 @@
-// Certificates made by hand for the tests of this folder, and of tests/rooms/pictures.
+// Certificates made by hand for the tests of this folder, and of tests/rooms/wings/pictures.
 #pragma once
 
 #include "collisions/certificate.hpp"

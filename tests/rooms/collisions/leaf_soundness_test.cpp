@@ -18,14 +18,14 @@ struct State {
     Rational e, slope, q;
 };
 
-State sample(Choices& choices, const Box& box) {
-    return {choices.between(box[Axis::position].lo, box[Axis::position].hi),
-            choices.between(box[Axis::slope].lo, box[Axis::slope].hi),
-            choices.between(box[Axis::ratio].lo, box[Axis::ratio].hi)};
+State sample(Random& choices, const Box& box) {
+    return {between(choices, box[Axis::position].lo, box[Axis::position].hi),
+            between(choices, box[Axis::slope].lo, box[Axis::slope].hi),
+            between(choices, box[Axis::ratio].lo, box[Axis::ratio].hi)};
 }
 
 // Somewhere in [0, 2] x [0, 2q], over all scales, at times beginning at 0; half of them at a single ratio.
-Box random_box(Choices& choices) {
+Box random_box(Random& choices) {
     const auto side = [&](double top) {
         const double lo = choices.uniform(0, 1) < 0.25 ? 0 : choices.log_uniform(1e-4, 1.9) * top;
         return std::pair(exact(lo), exact(std::min(2 * top, lo + choices.log_uniform(1e-4, 1) * top)));
@@ -111,7 +111,7 @@ void check(Chart chart, const Leaf& leaf, const State& state, long upper) {
 
 template <class I>
 std::map<Reason, int> soundness(std::uint64_t seed, Chart chart, int boxes) {
-    Choices choices(seed);
+    Random choices(seed);
     std::map<Reason, int> closed;
     for (int i = 0; i < boxes; ++i) {
         const Box box = random_box(choices);
@@ -152,7 +152,7 @@ TEST_CASE("the same holds in 128 bits") {
 }
 
 TEST_CASE("near the corner, the peak and the tangents every closed box holds too") {
-    Choices choices(5);
+    Random choices(5);
     int counted = 0;
     for (int i = 0; i < 400; ++i) {
         const Rational q = exact(choices.log_uniform(1.0001, 200));

@@ -69,7 +69,7 @@ TEST_CASE("the whole section of q = 10 closes with counts for 4 collisions and n
 }
 
 TEST_CASE("a wider box, or a wider range of ratios, never closes with smaller counts") {
-    Choices choices(11);
+    Random choices(11);
     int compared = 0;
     for (int i = 0; i < 300; ++i) {
         const Rational q = exact(choices.log_uniform(1.01, 100));

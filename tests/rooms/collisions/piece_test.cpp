@@ -179,11 +179,6 @@ TEST_CASE("an interrupted piece ends soon, in the middle of an orbit of many mil
     }
 }
 
-TEST_CASE("an interrupted piece stays open") {
-    const PieceOptions now{.interrupted = [] { return true; }};
-    CHECK(prove_single(critical_ratio(7) * (1 - parse_rational("1e-6")), now).piece.status() == Status::open);
-}
-
 TEST_CASE("a step is decided at a relative distance of 1e-20") {
     // Near 10^18, at the digits of `critical 885595132 --digits 20`.
     const long n = 885'595'132;

@@ -2,13 +2,12 @@
 // and covers are compared with. Shares no arithmetic and no code with src/.
 #pragma once
 
-#include <cstdint>
-#include <random>
 #include <string>
 
 #include "attacks/oracle/ray_count.hpp"
 #include "attacks/oracle/scalar.hpp"
 #include "number/rational.hpp"
+#include "rooms/number/random.hpp"
 
 namespace dumbbell_test {
 
@@ -37,31 +36,16 @@ inline Sides bridge_counts(const Rational& e, const Rational& eta, const Rationa
             static_cast<long>(ray_count(dumbbell_oracle::bridge_ray_reversed(state, r), r))};
 }
 
-// Seeded choices; the same on every platform (no std distribution).
-class Choices {
-  public:
-    explicit Choices(std::uint64_t seed) : engine_(seed) {}
-
-    double uniform(double lo, double hi) {
-        return lo + (hi - lo) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+// In [lo, hi], often at an end.
+inline Rational between(Random& random, const Rational& lo, const Rational& hi) {
+    const double pick = random.uniform(0, 1);
+    if (pick < 0.3) {
+        return lo;
     }
-    double log_uniform(double lo, double hi) { return lo * std::exp(uniform(0, 1) * std::log(hi / lo)); }
-    bool coin() { return uniform(0, 1) < 0.5; }
-
-    // In [lo, hi], often at an end.
-    Rational between(const Rational& lo, const Rational& hi) {
-        const double pick = uniform(0, 1);
-        if (pick < 0.3) {
-            return lo;
-        }
-        if (pick < 0.6) {
-            return hi;
-        }
-        return lo + (hi - lo) * dumbbell::exact(uniform(0, 1));
+    if (pick < 0.6) {
+        return hi;
     }
-
-  private:
-    std::mt19937_64 engine_;
-};
+    return lo + (hi - lo) * dumbbell::exact(random.uniform(0, 1));
+}
 
 }  // namespace dumbbell_test

@@ -1,6 +1,7 @@
 // The full section (all collision states, counted forward only) proves the same number as the turning
 // section: close to critical ratios on both sides, and anywhere; and so it does by plain interval evaluation.
 #include <cmath>
+#include <tuple>
 
 #include "catch.hpp"
 #include "collisions/certify.hpp"
@@ -34,7 +35,7 @@ struct NearCritical {
     [[nodiscard]] long maximum() const { return above ? n : n - 1; }
 };
 
-NearCritical near_critical(Choices& choices, bool above, double greatest, double farthest) {
+NearCritical near_critical(Random& choices, bool above, double greatest, double farthest) {
     // N* is about 2 + 0.886 sqrt q (theory, section 4); the second-last step is below `greatest` for certain.
     const double last = 1 + 0.8855951 * std::sqrt(greatest);
     const long n = std::lround(choices.log_uniform(4, last));
@@ -45,7 +46,7 @@ NearCritical near_critical(Choices& choices, bool above, double greatest, double
 }  // namespace
 
 TEST_CASE("full and turning section agree close to critical ratios, on both sides") {
-    Choices choices(61);
+    Random choices(61);
     for (int i = 0; i < scaled(5); ++i) {
         const NearCritical at = near_critical(choices, i % 2 == 0, 1000, 1e-3);
         CAPTURE(at.n, at.above, at.q);
@@ -54,25 +55,17 @@ TEST_CASE("full and turning section agree close to critical ratios, on both side
     }
 }
 
-TEST_CASE("full and turning section agree at ratios from 1 to 1000") {
-    Choices choices(65);
-    for (int i = 0; i < scaled(8); ++i) {
-        const Rational q = exact(choices.log_uniform(1, 1000));
-        CAPTURE(q);
-        const long turning = proved(q, Section::turning);
-        REQUIRE(turning >= 3);
-        REQUIRE(proved(q, Section::full) == turning);
-    }
-}
-
-TEST_CASE("plain evaluation and turning section agree at ratios from 1 to 30") {
-    Choices choices(66);
-    for (int i = 0; i < scaled(4); ++i) {
-        const Rational q = exact(choices.log_uniform(1, 30));
-        CAPTURE(q);
-        const long turning = proved(q, Section::turning);
-        REQUIRE(turning >= 3);
-        REQUIRE(proved(q, Section::plain) == turning);
+TEST_CASE("the full section, to 1000, and plain evaluation, to 30, agree with the turning section") {
+    Random choices(65);
+    for (const auto& [section, greatest, ratios] :
+         {std::tuple(Section::full, 1000.0, 8), std::tuple(Section::plain, 30.0, 4)}) {
+        for (int i = 0; i < scaled(ratios); ++i) {
+            const Rational q = exact(choices.log_uniform(1, greatest));
+            CAPTURE(q);
+            const long turning = proved(q, Section::turning);
+            REQUIRE(turning >= 3);
+            REQUIRE(proved(q, section) == turning);
+        }
     }
 }
 

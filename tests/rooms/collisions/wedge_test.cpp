@@ -53,7 +53,7 @@ Rational tie(long m) {
 }  // namespace
 
 TEST_CASE("the wedges have ceil(pi/gamma) collisions at ratios from 1 to 10,000") {
-    Choices choices(71);
+    Random choices(71);
     for (int i = 0; i < scaled(50); ++i) {
         check_both(exact(choices.log_uniform(1, 10'000)));
     }

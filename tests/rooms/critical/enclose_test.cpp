@@ -83,17 +83,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("The critical ratios increase strictly") {
-    Ratio last = enclosed(3, 15);
-    for (long n = 4; n <= 60; ++n) {
-        const Ratio next = enclosed(n, 15);
-        CAPTURE(n);
-        REQUIRE(last.q_hi < next.q_lo);
-        REQUIRE(next.q_lo < next.q_hi);
-        last = next;
-    }
-}
-
 TEST_CASE("More digits refine: each shares the digits asked for, and begins with those of less precision") {
     const std::string all = digits_of(enclosed(5, 110), 110);
     CHECK(all.size() == 111);

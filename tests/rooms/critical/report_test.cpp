@@ -65,6 +65,8 @@ TEST_CASE("an exact ratio is a number without dots and with radius 0") {
     CHECK(json.at("q_c") == "1");
     CHECK(json.at("radius") == "0");
     CHECK(json.at("exact") == true);
+    CHECK(json.at("lo") == "1");
+    CHECK(json.at("hi") == "1");
 }
 
 TEST_CASE("digits that the enclosure does not decide are never printed") {

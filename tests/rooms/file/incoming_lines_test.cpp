@@ -16,7 +16,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-Texts lines_of(const std::string& text) {
+Texts lines_from(const std::string& text) {
     const TemporaryFolder folder;
     write_file(folder / "list", text);
     IncomingLines lines(folder / "list");
@@ -32,26 +32,26 @@ Texts lines_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("lines come without their ends, those of Unix and of Windows, the last one also without an end") {
-    CHECK(lines_of("").empty());
-    CHECK(lines_of("\n") == Texts{""});
-    CHECK(lines_of("10\n\n20") == Texts{"10", "", "20"});
-    CHECK(lines_of("10\r\n20\r\n") == Texts{"10", "20"});
-    CHECK(lines_of(std::string("1\0x\n", 4)) == Texts{std::string("1\0x", 3)});
+    CHECK(lines_from("").empty());
+    CHECK(lines_from("\n") == Texts{""});
+    CHECK(lines_from("10\n\n20") == Texts{"10", "", "20"});
+    CHECK(lines_from("10\r\n20\r\n") == Texts{"10", "20"});
+    CHECK(lines_from(std::string("1\0x\n", 4)) == Texts{std::string("1\0x", 3)});
 }
 
 TEST_CASE("a byte-order mark is left out where a text begins, and only there") {
-    CHECK(lines_of("\xef\xbb\xbf"
-                   "10\n20\n") == Texts{"10", "20"});
-    CHECK(lines_of("10\n\xef\xbb\xbf"
-                   "20\n") == Texts{"10",
-                                    "\xef\xbb\xbf"
-                                    "20"});
+    CHECK(lines_from("\xef\xbb\xbf"
+                     "10\n20\n") == Texts{"10", "20"});
+    CHECK(lines_from("10\n\xef\xbb\xbf"
+                     "20\n") == Texts{"10",
+                                      "\xef\xbb\xbf"
+                                      "20"});
 }
 
 TEST_CASE("of a line that is too long only the beginning is kept, and the next line is whole") {
     const std::string most(IncomingLines::longest_line, 'x');
-    CHECK(lines_of(most + "\n20\n") == Texts{most, "20"});
-    CHECK(lines_of(most + std::string(200'000, 'y') + "\n20\n") == Texts{most, "20"});
+    CHECK(lines_from(most + "\n20\n") == Texts{most, "20"});
+    CHECK(lines_from(most + std::string(200'000, 'y') + "\n20\n") == Texts{most, "20"});
 }
 
 TEST_CASE("a list that cannot be read is named, with the reason") {

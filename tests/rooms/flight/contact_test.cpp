@@ -212,21 +212,17 @@ TEST_CASE("A ray that passes the peak by a hair is a miss, one that meets it by 
     CHECK_FALSE(lowest_contact(Interval(1e10), Interval(0.5)));
 }
 
-TEST_CASE("NaN is neither a certain miss nor a certain hit") {
-    const auto check = [](auto ray_end) {
-        using I = decltype(ray_end);
-        const I bad(not_a_number);
-        for (const I& c : {bad, I(0.1)}) {
-            for (const I& kappa : {bad, I(0.2), I(-0.2)}) {
-                const bool has_nan = std::isnan(approximate(c)) || std::isnan(approximate(kappa));
-                CAPTURE(show(c), show(kappa));
-                CHECK((!has_nan || lowest_contact(c, kappa).has_value()));
-                CHECK((!has_nan || !highest_contact(c, kappa).has_value()));
-            }
+TEMPLATE_TEST_CASE("NaN is neither a certain miss nor a certain hit", "", Interval, BigInterval) {
+    using I = TestType;
+    const I bad(not_a_number);
+    for (const I& c : {bad, I(0.1)}) {
+        for (const I& kappa : {bad, I(0.2), I(-0.2)}) {
+            const bool has_nan = std::isnan(approximate(c)) || std::isnan(approximate(kappa));
+            CAPTURE(show(c), show(kappa));
+            CHECK((!has_nan || lowest_contact(c, kappa).has_value()));
+            CHECK((!has_nan || !highest_contact(c, kappa).has_value()));
         }
-    };
-    check(Interval());
-    check(BigInterval());
+    }
 }
 
 TEST_CASE("A guess from NaN or from absurd rays stays in [0, pi/2]") {

@@ -6,6 +6,7 @@
 
 #include "attacks/oracle/chart.hpp"
 #include "attacks/oracle/scalar.hpp"
+#include "catch.hpp"
 #include "flight/departure.hpp"
 #include "reference.hpp"
 #include "rooms/number/random.hpp"
@@ -186,6 +187,19 @@ inline DepartureBox random_departure_box(Random& random, double least_r, double 
 template <class I>
 dumbbell::flight::RatioRange<I> ratios_of(const DepartureBox& box) {
     return {I(box.r.lo), I(box.r.hi)};
+}
+
+/// The number of collisions from a sampled state; fails if it is greater than the bound for its box.
+inline long sampled_within(Random& random, const DepartureBox& box, long most) {
+    const DepartureState state = sample(random, box);
+    long found = simulated(state).collisions;
+    if (found > most) {
+        found = simulated(state, true).collisions;
+    }
+    if (found > most) {
+        FAIL(say("from", state, "there are", found, "collisions, the bound is", most, "for", box));
+    }
+    return found;
 }
 
 }  // namespace dumbbell_test

@@ -332,14 +332,3 @@ TEST_CASE("the first failing line of the file is reported, whatever the threads 
         }
     }
 }
-
-TEST_CASE("what cannot be read is unreadable, not wrong") {
-    for (const char* path : {"/nonexistent/file", "/tmp"}) {
-        try {
-            verify(path, Request());
-            FAIL("verified");
-        } catch (const Failure& failure) {
-            CHECK(failure.verdict == Verdict::unreadable);
-        }
-    }
-}

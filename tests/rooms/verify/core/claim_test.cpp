@@ -178,15 +178,3 @@ TEST_CASE("pieces in several files say what they say in one") {
     CHECK(proved > 2000);
     CHECK(proved < 16'000);
 }
-
-TEST_CASE("gaps and open pieces are told apart") {
-    Collisions claim;
-    claim.lo = 1;
-    claim.hi = 12;
-    for (const Piece& p : five_pieces) claim.add(p.a, p.b, p.upper, p.lower);
-    CHECK_FALSE(claim.upper);
-    CHECK((claim.lower == 2));
-    CHECK(claim.gaps == 1);
-    CHECK(claim.open == 1);
-    CHECK(claim.pieces == 5);
-}

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "verify/core/section.hpp"
-#include "verify/starts/grammar.hpp"
+#include "verify/wings/starts/grammar.hpp"
 
 namespace leaf_rows {
 

@@ -194,28 +194,6 @@ TEMPLATE_TEST_CASE("sine and cosine are known on [0, 2] and nowhere else", "", d
     CHECK((to_double(down, c2.lo) > -0.417 && to_double(up, c2.hi) < -0.416));
 }
 
-TEST_CASE("the double series are nearly as tight as their pad of 2^-50") {
-    for (const double z : {0.25, 0.5, 1.0, 1.5, 2.0}) {
-        const auto [s, c] = sin_cos(z);
-        CAPTURE(z, s.lo, s.hi, c.lo, c.hi);
-        CHECK(s.hi - s.lo < 0x1p-48);
-        CHECK(c.hi - c.lo < 0x1p-48);
-    }
-}
-
-TEST_CASE("with more bits the series are as tight as those allow, for small arguments, too") {
-    for (const int bits : {64, 256, 2048}) {
-        Big::precision = bits;
-        for (const mpq_class& q : {power(-700), power(-40), mpq_class(1, 10), mpq_class(1), mpq_class(2)}) {
-            CAPTURE(bits, q.get_d());
-            const auto [s, c] = sin_cos(bound(down, q, Big()));
-            CHECK((exact_value(sub(up, s.hi, s.lo)) < std::min(q, mpq_class(1)) * power(6 - bits)));
-            CHECK((exact_value(sub(up, c.hi, c.lo)) < power(6 - bits)));
-        }
-    }
-    Big::precision = 53;
-}
-
 TEST_CASE("numbers of MPFR are compared with whole numbers and divided by them") {
     CHECK((Big(2) > 1 && Big(-2) < -1 && Big(0) >= 0 && Big(0) <= 0 && !(Big(0) > 0)));
     for (const int sign : {1, -1}) {

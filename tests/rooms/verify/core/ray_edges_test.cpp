@@ -6,7 +6,7 @@
 #include "leaf_rows.hpp"
 #include "verify/functions/exact_value.hpp"
 #include "verify/sections/flights.hpp"
-#include "verify/starts/reflection.hpp"
+#include "verify/wings/starts/reflection.hpp"
 
 using namespace dumbbell_verify;
 using dumbbell_verify::starts::Departures;

@@ -1,6 +1,6 @@
 // The edges of the lexical classes, and what a proof says of its leaves.
 #include "catch.hpp"
-#include "rooms/verify/adiabatic/make_file.hpp"
+#include "rooms/verify/wings/adiabatic/make_file.hpp"
 #include "verify/machine/decimals.hpp"
 #include "verify/program/arguments.hpp"
 #include "verify/program/json.hpp"
@@ -98,42 +98,6 @@ TEST_CASE("edges: the leaves of a proof fill its root boxes") {
     const Proof bounces = verify(errors.path(), {});
     CHECK(bounces.roots == 1);
     CHECK(covered(bounces) == Approx(1));
-}
-
-TEST_CASE("edges: what is missing is said for the ratios that were asked for, or the file's") {
-    Collisions claim;
-    claim.lo = 1;
-    claim.hi = 2;
-    claim.most = 3;
-    claim.add(1, 2, 4, 4);
-    CHECK(claim.missing() == "not proved: at most 3 collisions for every mass ratio in 1/1:2/1");
-    Collisions asked;
-    asked.lo = 1;
-    asked.hi = 3;
-    asked.ratios = std::pair<mpq_class, mpq_class>(2, 3);
-    asked.least = 5;
-    asked.add(1, 3, 4, 4);
-    CHECK(asked.missing() == "not proved: at least 5 collisions for every mass ratio in 2/1:3/1");
-}
-
-TEST_CASE("edges: pieces before the ratios that were asked for prove nothing of them, nor against them") {
-    const auto proved = [](const std::optional<mpz_class>& first, const std::optional<mpz_class>& second,
-                           const std::optional<mpz_class>& third) {
-        Collisions claim;
-        claim.lo = 1;
-        claim.hi = 5;
-        claim.ratios.emplace(3, 5);
-        claim.most = 4;
-        claim.add(1, 2, first, 0);
-        claim.add(2, 3, second, 0);
-        claim.add(3, 5, third, 0);
-        return claim.missing().empty();
-    };
-    CHECK(proved({}, {}, 4));
-    CHECK(proved(4, {}, 4));
-    CHECK(proved({}, 4, 4));
-    CHECK_FALSE(proved(4, 4, {}));
-    CHECK_FALSE(proved(4, {}, {}));
 }
 
 TEST_CASE("edges: behind -- there are no options") {

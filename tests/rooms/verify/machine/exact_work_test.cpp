@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "rooms/verify/program/run_program.hpp"
-#include "rooms/verify/starts/make_file.hpp"
+#include "rooms/verify/wings/starts/make_file.hpp"
 #include "verify/program/verify.hpp"
 
 using namespace dumbbell_verify;

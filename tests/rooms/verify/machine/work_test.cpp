@@ -75,11 +75,6 @@ TEST_CASE("a leaf's share ends rays, in double and in multiple precision") {
     CHECK_FALSE(follow<Big>(10));  // without a share there is no end
 }
 
-TEST_CASE("a leaf costs something even if it has no ray") {
-    Meter::begin();
-    CHECK(Meter::done() > 1000);
-}
-
 TEST_CASE("the leaf at which a budget ends is the same with any number of threads") {
     std::vector<Task> tasks;
     for (std::uint64_t line = 1; line <= 60; ++line) tasks.push_back({line, 20'000'000 * (line % 7)});

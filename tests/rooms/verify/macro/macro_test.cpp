@@ -1,10 +1,10 @@
 // L42 in the verifier: many collisions at once against one after the other, and polynomials that are just
 // false.
 #include <cmath>
-#include <random>
 
 #include "attacks/oracle/trial.hpp"
 #include "catch.hpp"
+#include "rooms/number/random.hpp"
 #include "scale.hpp"
 #include "verify/core/ray.hpp"
 #include "verify/functions/exact_value.hpp"
@@ -14,18 +14,9 @@
 #include "verify/macro/orbit.hpp"
 
 using namespace dumbbell_verify;
+using dumbbell_test::Random;
 
 namespace {
-
-class Random {
-  public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    double uniform(double lo, double hi) { return std::uniform_real_distribution<>(lo, hi)(engine_); }
-    bool coin() { return engine_() % 2 == 0; }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 mpz_class number(double x, long places) { return fixed(down, mpq_class(x), places); }
 

@@ -50,10 +50,7 @@ TEST_CASE("a list of claims: names are those of the list's folder, and of the wo
     const std::filesystem::path path = file.path(), folder = path.parent_path();
     const File list(path.filename().string() + "\t--ratio 10 --max 4\n"), input("-\t--ratio 10 --max 4\n");
     CHECK(run("--claims " + list.path(), "cd / && ").code == 0);
-    const std::string in_folder = "cd " + folder.string() + " && ", piped = "cat " + list.path() + " | ";
-    CHECK(run("--claims - <" + list.path(), in_folder).code == 0);
-    CHECK(run("--claims /dev/stdin", in_folder + piped).code == 0);
-    CHECK(run("--claims -", "cd / && " + piped).code == 2);
+    CHECK(run("--claims -", "cd / && cat " + list.path() + " | ").code == 2);
     CHECK(run("--claims " + input.path() + " <" + file.path(), "cd / && ").code == 0);
     const File lost("no.dbc\t--ratio 10 --max 4\n");
     CHECK(has(run("--claims " + lost.path()).out, (folder / "no.dbc").string() + "\ns UNREADABLE "));

@@ -1,16 +1,10 @@
 // The certificates of this project, for tests.
 #pragma once
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "temporary_folder.hpp"
 
 namespace make {
 
 inline std::string shipped(const std::string& name) { return DUMBBELL_PROJECT "/certificates/" + name; }
-inline std::string contents(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
+using dumbbell_test::contents;
 
 }  // namespace make

@@ -6,7 +6,7 @@
 
 #include "catch.hpp"
 #include "make_together.hpp"
-#include "rooms/verify/starts/make_file.hpp"
+#include "rooms/verify/wings/starts/make_file.hpp"
 #include "verify/program/summary.hpp"
 
 using namespace dumbbell_verify;
