@@ -1,36 +1,17 @@
 // proofs/body.md against the simulation: bodies with mass between their contacts.
+#include "rods.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "catch.hpp"
 #include "extremal.hpp"
-#include "simulate.hpp"
-#include "trial.hpp"
 
 using namespace dumbbell_oracle;
 
 namespace {
-
-constexpr double half_turn = std::numbers::pi;
-
-// rho and Q, and the body of length d1 = 1.
-struct Numbers {
-    double rho, q;
-    template <class S>
-    [[nodiscard]] Dumbbell<S> body() const {
-        return {S(1), S(rho), S(1) / S(q)};
-    }
-    [[nodiscard]] double corner() const {
-        return half_turn - std::atan(std::sqrt(q)) - std::atan(rho * std::sqrt(q));
-    }
-    [[nodiscard]] double wedge() const { return half_turn - 2 * std::atan(std::sqrt(q)); }
-};
-
-// The tolerance is for the ties at whole numbers.
-std::size_t whole_from(double x) { return static_cast<std::size_t>(std::ceil(x - 1e-9)); }
 
 Numbers random_numbers(Sampler& sampler, bool symmetric) {
     const double rho = symmetric        ? 1
@@ -39,44 +20,10 @@ Numbers random_numbers(Sampler& sampler, bool symmetric) {
     return {rho, (sampler.coin() ? 1 + sampler.log_uniform(1e-4, 1) : sampler.log_uniform(1, 30)) / rho};
 }
 
-// The mass ratio q with a uniform rod of mu times the mass of both ends (L70 (d)).
-Numbers rod(double q, double mu) {
-    const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
-    const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
-    return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
-}
-
-// pi / (2 atan(1/sqrt(Q))) is n.
-double tie(double n) { return 1 / std::pow(std::tan(half_turn / 2 / n), 2); }
-
 // Rods with a little mass (L76), beyond q_c(4) or just below a tie: where random bodies do not come.
 Numbers extremal_numbers(Sampler& sampler) {
     const double below = tie(std::round(sampler.uniform(3, 9))) * (1 - sampler.log_uniform(1e-6, 1e-2));
     return rod(sampler.coin() ? below : sampler.uniform(4.6034, 5.82), sampler.log_uniform(1e-7, 1e-1));
-}
-
-// On the floor just after a collision, at the corner distance e of the right corner: to its right the light
-// end stands there, to its left the heavy one. The velocity has this angle in the metric of the kinetic
-// energy.
-template <class S>
-Contact<S> standing(const Dumbbell<S>& body, Mass mass, double e, double angle) {
-    using std::cos;
-    using std::sin;
-    using std::sqrt;
-    State<S> state{pi<S>() + (mass == Mass::light ? S(e) : S(-e)), cos(S(angle)) / sqrt(body.inertia()), 0,
-                   sin(S(angle))};
-    state.y = -body.arm(mass) * sin(state.phi);
-    return {mass, body.climb(mass, state) > 0 ? state : reversed(state)};
-}
-
-struct Spot {
-    Mass mass;
-    double e, angle;
-};
-
-Spot random_spot(Sampler& sampler) {
-    const double e = sampler.coin() ? sampler.log_uniform(1e-3, 1.57) : sampler.uniform(1e-3, 1.57);
-    return {sampler.coin() ? Mass::light : Mass::heavy, e, sampler.uniform(0, half_turn)};
 }
 
 // The start of L76: off the heavy end close to the corner, above its tangent by this part of the angle that
@@ -84,18 +31,6 @@ Spot random_spot(Sampler& sampler) {
 Spot start_of_l76(const Numbers& n, double e, double part) {
     const double lacks = half_turn / 2 - n.corner();
     return {Mass::heavy, e, half_turn - std::atan(n.rho * std::sqrt(n.q)) - part * lacks};
-}
-
-template <class S>
-std::size_t total_at(const Numbers& n, const Spot& at) {
-    const auto body = n.body<S>();
-    return total_collisions(body, standing(body, at.mass, at.e, at.angle)).collisions;
-}
-
-// Where long double finds more than `most`, 80 digits decide.
-std::size_t counted_at(const Numbers& n, const Spot& at, std::size_t most) {
-    const std::size_t found = total_at<long double>(n, at);
-    return found > most ? total_at<Digits80>(n, at) : found;
 }
 
 // The slope d yhat / |d psi| (yhat = y, as d1 = 1).
