@@ -73,6 +73,14 @@ bool may_have_in_corner(long n, const Rational& rho, const Rational& q) {
     return n > most_in_corner || flight::corner_count(rho, q, n) >= n;
 }
 
+/// J from above, and exactly where the corner's count is not too long: beside a tie no precision tells it.
+template <class I>
+long corner_hits(const Tangents<I>& of, const Rational& rho, const Rational& q, long cap) {
+    const long hits = of.corner(cap);
+    return may_have_in_corner(2 * hits + 1, rho, q) ? hits
+                                                    : (flight::corner_count(rho, q, 2 * hits + 1) - 1) / 2;
+}
+
 /// L82, of the places [e0, e1]: f(e1) and b(e0), or at the corner J, and there the even value of Theorem B.
 template <class I>
 std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Interrupted& interrupted) {
@@ -109,13 +117,13 @@ struct Best {
 
 /// f does not decrease and b does not increase, so f at the end and b at the beginning bound the sum.
 template <class I>
-Best best_tangent(const Tangents<I>& of, long cap, long enough, const Interrupted& interrupted) {
+Best best_tangent(const Tangents<I>& of, long corner, long cap, long enough, const Interrupted& interrupted) {
     constexpr double least = 1e-13;
     struct Part {
         double lo, hi;
         long up_lo, down_lo, up_hi, down_hi;
     };
-    const long top_up = of.upward(I(2), cap), corner = of.corner(cap), corner_up = of.from_corner(cap);
+    const long top_up = of.upward(I(2), cap), corner_up = of.from_corner(cap);
     Best best{top_up, 0, quarter};
     if (corner + corner_up > best.total) {
         best = {corner + corner_up, corner, least};
@@ -152,10 +160,9 @@ template <class I>
 std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
     const Rational& rho = rho_of(system);
     const Tangents<I> of(rho, q, interrupted);
-    const long cap = more_than_all(q);
-    const Best best = best_tangent(of, cap, cap, interrupted);
-    const long corner = of.corner(cap), most = 1 + 2 * best.total, least = of.from_corner(cap),
-               even = 2 * corner + 2 + 2 * least;
+    const long cap = more_than_all(q), corner = corner_hits(of, rho, q, cap), least = of.from_corner(cap),
+               even = 2 * corner + 2 + 2 * least,
+               most = 1 + 2 * best_tangent(of, corner, cap, cap, interrupted).total;
     const bool is_even =
         even > most && of.even(corner, cap) >= least && may_have_in_corner(2 * corner + 2, rho, q);
     return interrupted() ? std::nullopt : std::optional(Count(is_even ? even : most));
@@ -199,7 +206,8 @@ std::optional<Witness> body_witness(const Range& range, const Count& wanted, con
     const Tangents<I> of(rho, q, interrupted);
     const auto body = flight::Body<I>::with_mass(enclose<I>(rho), enclose<I>(1 / q));
     const int bits = std::is_same_v<I, Interval> ? double_bits : PrecisionScope::current();
-    const Best best = best_tangent(of, more_than_all(q), target / 2, interrupted);
+    const long cap = more_than_all(q);
+    const Best best = best_tangent(of, corner_hits(of, rho, q, cap), cap, target / 2, interrupted);
     const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits, bits) : exact(quarter);
     const int depth = -std::ilogb(last.convert_to<double>());
     for (int places = 8; places < bits && !interrupted(); places += 4) {
