@@ -51,8 +51,10 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
                Contains("Q = 1e40 is beyond 10^36, the greatest that is tried\n"));
     CHECK_THAT(refused_body({"--rho", "1/2:2", "--inertia", "9"}), Contains("--rho is d2/d1"));
-    CHECK_THAT(refused_body({"--rho", "3/4", "--inertia", "1/2:2"}),
+    CHECK_THAT(refused_body({"--rho", "3/4:1", "--inertia", "1/2:2"}),
                Contains("inertia times rho is at least 1"));
+    CHECK_THAT(refused_body({"--coin", "--section", "full"}),
+               Contains("proved by their tangents, or by --section plain"));
     CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--list is for mass ratios"));
 }
 
@@ -60,7 +62,7 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({}), Contains("--coin"));
     CHECK_THAT(refused_body({"--scene", "body"}), Contains("--rod-mass with RATIO"));
     CHECK_THAT(refused_body({"--rho", "2", "--inertia", "4"}), Contains("swap the ends"));
-    CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1.9"}),
+    CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1.9", "--section", "plain"}),
                Contains("inertia times rho is at least 1"));
     CHECK_THAT(refused_body({"--rod-mass", "1"}), Contains("needs RATIO"));
     CHECK_THAT(refused_body({"1:2", "--rod-mass", "1"}), Contains("single mass ratio"));
@@ -108,7 +110,9 @@ TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified"
 
 TEST_CASE("a page shows what is about bodies, and other pictures refuse it", "[wings]") {
     const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "2:5", "--out", "symmetric.dbc"}, folder.path())
+    REQUIRE(dumbbell(
+                {"certify", "--rho", "1", "--inertia", "2:5", "--section", "plain", "--out", "symmetric.dbc"},
+                folder.path())
                 .code == 0);
     const Outcome result = dumbbell({"plot", "staircase", "symmetric.dbc", "--out", "x.svg"}, folder.path());
     CHECK(result.code == 2);
