@@ -1,7 +1,7 @@
 // A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
 import { birth } from "./birth.js";
 import { chartPoints } from "./chart_points.js";
-import { leafText, total } from "./charts.js";
+import { leafText, total, twice } from "./charts.js";
 import { Cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
@@ -54,6 +54,7 @@ function coverSource(file) {
         explain: `${i + 1}:${tree.chart}`,
         marks: file.has_orbits || file.rho ? (q) => marksOf(file, tree.chart, q, piece) : null,
     })));
+    const most = file.section === "tangents" ? twice : total;
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
     return {
         title: `The boxes of the cover of ${file.name}`,
@@ -67,8 +68,8 @@ function coverSource(file) {
             {
                 text: "by number of collisions",
                 paint: (kind) => shade(kind.colour),
-                label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
-                order: (kind) => (isCount(kind) ? Number(total(kind)) : Infinity),
+                label: (kind) => (isCount(kind) ? `at most ${most(kind)}` : kind.reason),
+                order: (kind) => (isCount(kind) ? Number(most(kind)) : Infinity),
             },
             {
                 text: "by reason",

@@ -37,6 +37,12 @@ const lemmas = {
     L73: "So many collisions are possible close to the corner of any body",
     L74: "Witness: a body\u2019s orbit that has so many collisions",
     L75: "Q\u03c1 = 1 is the massless dumbbell",
+    L78: "Any body\u2019s motion has one passage through a valley, on one side of the bridge",
+    L79: "Comparison in the valley: a lower, steeper flight hits at least as often",
+    L80: "How many collisions a passage has, by angles",
+    L81: "The two tangents of the bridge: f does not decrease with e, b does not increase",
+    L82: "Upper bounds by the tangents at a few places",
+    L83: "More Q, no fewer collisions",
 };
 
 const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [39, "proofs/adiabatic.md"], [70, "proofs/lemmas.md"], [99, "proofs/body.md"]];
@@ -51,6 +57,7 @@ const sets = {
     wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
     hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
     body: ["L1", "L2", "L3", "L4", "L6", ...numerical, "L16", "L70", "L71", "L72", "L73", "L74", "L75"],
+    tangents: ["L1", "L2", "L3", "L4", "L5", ...numerical, "L70", "L73", "L74", "L78", "L79", "L80", "L81", "L82", "L83"],
     "initial-conditions": starts,
     incoming: [...starts, "L61"],
     "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],
@@ -61,7 +68,7 @@ const sets = {
 /// Rows [lemma, statement, page] for a file.
 export function lemmaRows(file) {
     const isCollisions = file.claim === "collisions";
-    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" ? file.scene : file.section;
+    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" && file.section !== "tangents" ? file.scene : file.section;
     const names = [...sets[key]];
     if (isCollisions && file.pieces.some((piece) => piece.equal_masses)) {
         names.push("L7");
