@@ -67,7 +67,7 @@ long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupte
         }
         switch (bounce_from_below(flight, rho)) {
             case Bounce::undecided:
-                return hits < cap ? cap + 1 : cap;
+                return cap + 1;
             case Bounce::returns:
                 break;
             case Bounce::misses:
