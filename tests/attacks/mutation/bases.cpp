@@ -41,10 +41,10 @@ Certificate certified(const std::string& lo, const std::string& hi, const std::s
     return certificate(std::move(pieces), {section});
 }
 
-/// Of bodies.
-Certificate bodies(const std::string& rho, const std::string& q_lo, const std::string& q_hi, long upper,
-                   long lower) {
-    const System system{Section::body, Range{parse_rational(rho), parse_rational(rho)}};
+/// Of bodies, by plain covers or by tangents.
+Certificate bodies(Section section, const std::string& rho, const std::string& q_lo, const std::string& q_hi,
+                   long upper, long lower) {
+    const System system{section, Range{parse_rational(rho), parse_rational(rho)}};
     return certificate(
         {prove_piece(parse_rational(q_lo), parse_rational(q_hi), upper, lower, {.system = system}).piece},
         system);
@@ -149,8 +149,10 @@ std::vector<Base> bases(bool large) {
         base("full-deep", deep(certified("3/2", "3/2", "1e-3", Section::full), 3)),
         base("full-again", certificate({proved("30", "45", 20, 5, Section::full)}, {Section::full})),
         base("plain", certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, {Section::plain})),
-        base("coin", bodies("1", "4", "4", 4, 4)),
-        base("symmetric-range", bodies("1", "2", "3", 3, 3)),
+        base("coin", bodies(Section::plain_body, "1", "4", "4", 4, 4)),
+        base("symmetric-range", bodies(Section::plain_body, "1", "2", "3", 3, 3)),
+        base("tangents", bodies(Section::body, "1/2", "13/2", "13/2", 4, 4)),
+        base("tangents-range", bodies(Section::body, "1/2", "5/2", "5", 3, 3)),
         base("wedge", certified("3", "3", "1e-3", Section::wedge)),
         base("wedge-range", certified("3", "7", "1e-3", Section::wedge)),
         base("hybrid-range", certified("5", "11", "1e-3", Section::hybrid)),
@@ -171,7 +173,7 @@ std::vector<Base> bases(bool large) {
         base("incoming", all_incoming(10, 96))};
     if (large) {
         all.push_back(base("full-large", certified("10", "10", "1e-3", Section::full)));
-        all.push_back(base("body", bodies("1/2", "5/2", "5/2", 6, 3), 6));
+        all.push_back(base("body", bodies(Section::plain_body, "1/2", "5/2", "5/2", 6, 3), 6));
         all.push_back(base("staircase", certified("1", "50")));
         all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Section::wedge)));
     }
