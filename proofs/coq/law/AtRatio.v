@@ -110,7 +110,7 @@ Proof.
   assert (E : log_constant * / sqrt q * ln q <= 0.026 * 1 * 4) by (apply Rmult_le_compat; lra).
   assert (F : k * / sqrt q <= 0.61 * / sqrt q) by (apply Rmult_le_compat_r; lra). unfold side. lra.
 Qed.
-Theorem L56_late N q n : layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> 1 <= q -> N_star q n ->
+Theorem L56_late N q n : layer_defect -> bulk_defect -> end_of_orbit -> (903 <= N)%nat -> 1 <= q -> N_star q n ->
   let s := quarter q in let middle := law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2 in
   let error := (0.072 + 2.6 * s) * s^2 in
   (middle + error < delta N q -> (N <= n)%nat) /\ (delta N q <= middle - error -> (n < N)%nat).
@@ -138,7 +138,7 @@ Proof.
     assert (M := late_grows N (k + 0.072) (-2.6) c q ltac:(lra) ltac:(lra) ltac:(lra) Z). lra.
 Qed.
 
-Theorem growth_law : layer -> bulk -> end_of_orbit ->
+Theorem growth_law : layer_defect -> bulk_defect -> end_of_orbit ->
   forall e, 0 < e -> exists q0, forall q N, q0 <= q -> N_star q N -> Rabs (INR N / sqrt q - growth) <= e.
 Proof.
   intros HL HB HE e He. destruct (law HL HB HE) as [_ H]. set (r := 2.115 / e).

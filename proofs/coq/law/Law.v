@@ -1,5 +1,5 @@
-(** The law for every mass ratio: Theorems A and B of law.md from the conditions (C5) to (C11), which LawStatement.v states;
-    (C1) to (C4) hold.
+(** The law for every mass ratio: Theorems A and B of law.md from the conditions (C6), (C7), (C9) and
+    (C11), which LawStatement.v states; the others hold.
 
     theorem_A  == delta_N for N >= 903, with its logarithm
     late_delta == 0 < delta_N < c0 q^(-1/4) <= 0.007 for N >= 903
@@ -8,11 +8,11 @@ From Coq Require Import Reals Lra Lia.
 From Dumbbell Require Import CriticalRatios LawStatement Cubes TheoremB TheoremA FirstSteps.
 Local Open Scope R_scope.
 
-Theorem theorem_A N q : layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Theorem theorem_A N q : layer_defect -> bulk_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q /\ 0 < delta N q < law_constant * quarter q.
 Proof. exact (TheoremA.theorem_A N q steps_hold). Qed.
 
-Lemma late_delta N q : layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Lemma late_delta N q : layer_defect -> bulk_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   0 < delta N q < law_constant * quarter q /\ law_constant * quarter q <= 0.007.
 Proof.
   intros HL HB HE HN Hc. destruct (theorem_A N q HL HB HE HN Hc) as [_ A]. split; [exact A|].
@@ -21,7 +21,7 @@ Proof.
   apply Rle_trans with (0.22 * 0.0318); [apply Rmult_le_compat|]; lra.
 Qed.
 
-Theorem law : layer -> bulk -> end_of_orbit -> the_law /\ law_everywhere.
+Theorem law : layer_defect -> bulk_defect -> end_of_orbit -> the_law /\ law_everywhere.
 Proof.
   intros HL HB HE. split.
   - apply law_from_delta. intros N q HN Hc. destruct (Nat.le_gt_cases N 902) as [K|K].

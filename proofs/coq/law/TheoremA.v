@@ -47,8 +47,8 @@ Proof.
     right. split; [rewrite Nat.even_add, Nat.even_mul; reflexivity | exact (top_clock eps _ _ E1 H)].
 Qed.
 
-Hypothesis Hlayer : layer.
-Hypothesis Hbulk : bulk.
+Hypothesis Hlayer : layer_defect.
+Hypothesis Hbulk : bulk_defect.
 Hypothesis Hend : end_of_orbit.
 
 (** The layer and the end, T_k - (m + 1) over eps, where m = n - k, beside k0 s times the sum of all cubes. *)
@@ -207,7 +207,7 @@ Proof.
   intros Hq. unfold quarter. assert (0 < sqrt q) by (now apply sqrt_lt_R0). rewrite pow_inv. f_equal.
   apply pow2_sqrt. lra.
 Qed.
-Lemma enclosed N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Lemma enclosed N q : steps -> layer_defect -> bulk_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q.
 Proof.
   intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc).
@@ -238,7 +238,7 @@ Proof.
   apply Rmult_lt_reg_r with w; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   assert (0.17 * w <= law_constant * w) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
-Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Theorem theorem_A N q : steps -> layer_defect -> bulk_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q /\ 0 < delta N q < law_constant * quarter q.
 Proof.
   intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := enclosed N q HS HL HB HE HN Hc).

@@ -8,7 +8,7 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement Sines Angles Falls Orbit Ends.
+From Dumbbell Require Import PiValue LawStatement Sines Angles Falls Orbit Ends.
 Local Open Scope R_scope.
 
 Lemma window_values : 0.7833 <= sin 0.9 /\ cos 0.9 <= 0.6217 /\ 0.7814 <= sin 0.897 /\ 0.679 <= sin 0.747 /\
