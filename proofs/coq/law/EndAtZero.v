@@ -2,7 +2,7 @@
     derivatives from the formulas of EndTerms.v.
 
     H_at_0          == H(pi, pi/2)
-    contact_0, flight_0, moments_0 == the formulas' parts at d = 0, where Q = pi/2 + q d
+    contact_0, moments_0 == what the formulas are made of, at d = 0, where Q = pi/2 + q d
     by_root         == proves an equation of numbers made with T = sqrt 3
     L58             == the value is k0, the slope - 3^(1/4) (16 q + 7)/(36 pi^(3/2)) *)
 From Coq Require Import Reals ZArith Lra.
