@@ -5,7 +5,7 @@
     part_holds       == (C11) on a part that begins at [least]
     facts, values_are == what is known of the last contact, in these terms
     narrow_in, refine_in, not_beyond == kh and q are where they are looked for
-    parts_in, moments_in == the formulas' parts enclose
+    parts_in         == the formulas' parts enclose
     part_sound       == (C11) at a last contact of the part *)
 From Coq Require Import Reals ZArith Lra List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
@@ -169,85 +169,6 @@ Proof.
   - apply (values_in p d ltac:(lra)); assumption.
 Qed.
 
-(** The moments. *)
-Lemma somewhere_in g a b x g_i : somewhere g a b x -> (forall z, a <= z <= b -> inI (g z) g_i) -> inI x g_i.
-Proof. intros [z [z' [Z [Z' B]]]] G. exact (contains_connected (I.convert g_i) (g z) (g z') (G z Z) (G z' Z') x B). Qed.
-Lemma share_in x lo hi w_i : inI lo w_i -> inI hi w_i -> lo <= x <= hi -> inI x w_i.
-Proof. intros L U B. exact (contains_connected (I.convert w_i) lo hi L U x B). Qed.
-Section Moments.
-Variables (n1 n2 : nat) (qi xi : I.type) (a3 a4 s X : R).
-Hypothesis Hn : (0 < n1)%nat /\ (0 < n2)%nat.
-Hypothesis Hq : inI q qi.
-Hypothesis Hx : inI q xi /\ inI ((J - PI/2) / d) xi.
-Hypothesis H3 : somewhere (fun z => G3 z Q) (F - d) (F + d) a3.
-Hypothesis H4 : somewhere (fun z => G4 z Q) (F - d) (F + d) a4.
-Hypothesis Hs : 0 <= s <= 1.
-Hypothesis HX : X = tau_JJ u J + s * (tau_JJ u Q - tau_JJ u J).
-Let m := moment_jets d q ab (moment_cos d 2) (moment_cos d 4 * a4 / 12) (moment_sin d 1) (moment_sin d 3 * a3 / 6)
-  (tau_J u Q / (u * u)) (X / (u * u)).
-Lemma moments_in : moments_encl d m (moment_slopes p part n1 n2 khi qi xi).
-Proof.
-  destruct facts as [D [E0 [K [_ [J0 [Q0 [Eu _]]]]]]]. assert (P := pi_value). assert (HN : d <> 0) by lra.
-  assert (D2 := d2_in p part d Hp). assert (DD : 0 < d * d) by pos. assert (D3 : 0 < d^3) by pos. assert (D5 : 0 < d^5) by pos.
-  destruct (moments_between d ltac:(lra)) as [M2 [M4 [N1 N3]]].
-  assert (EQ : Q = PI/2 + d * q) by (unfold q; field; lra). assert (EJ : J = PI/2 + d * ((J - PI/2) / d)) by (field; lra).
-  assert (QI : inI Q (I.add p (I.div p (pi_i p) (num 2)) (I.mul p part qi))).
-  { rewrite EQ. apply add_in; [apply div_in; [apply pi_in | apply fromZ_in] | now apply mul_in]. }
-  assert (FI : forall z, F - d <= z <= F + d -> inI z (I.add p (I.sub p (pi_i p) part) (I.join (I.neg part) part))).
-  { intros z Hz. replace z with (PI - d + (z - (PI - d))) by ring. apply add_in; [apply sub_in; [apply pi_in | exact Hp]|].
-    apply (join_in (- d) d); [now apply neg_in | exact Hp | unfold F in Hz; lra]. }
-  assert (A3 := somewhere_in _ _ _ _ _ H3 (fun z Hz => proj1 (far_in p z Q _ _ (FI z Hz) QI))).
-  assert (A4 := somewhere_in _ _ _ _ _ H4 (fun z Hz => proj2 (far_in p z Q _ _ (FI z Hz) QI))).
-  constructor; unfold m, moment_jets, moment_slopes; cbn [tabove tI2 tI4 tJ1 tJ3 tg1 tg2].
-  - apply curve_encl; [exact HN | exact Hp | apply fromZ_in|].
-    apply (join_in 0 (d * d * (kh * kh))); [exact zero_in | apply mul_in; [exact D2 | now apply X.sqr_in]|].
-    assert (R := ab_range). split; [apply quotient_at_least | apply quotient_at_most]; lra.
-  - apply curve_encl; [exact HN | exact Hp | apply div_in; apply fromZ_in|].
-    apply (share_in _ (- (1 / 10 * 1)) (- (1 / 10 * 0))).
-    1, 2: apply neg_in, mul_in; [apply div_in; apply fromZ_in | apply unit_in; lra].
-    split; [apply quotient_at_least | apply quotient_at_most]; try exact DD.
-    + assert (1/3 - 1/10 * (d * d) <= moment_cos d 2 / d^3); [|lra]. apply quotient_at_least; [exact D3|]. lra.
-    + assert (moment_cos d 2 / d^3 <= 1/3); [|lra]. apply quotient_at_most; [exact D3|]. lra.
-  - apply curve_encl; [exact HN | exact Hp | exact zero_in|].
-    replace (moment_cos d 4 * a4 / 12 / d^3 / (d * d)) with (moment_cos d 4 / d^5 * 5 / 5 * a4 / 12) by (field; lra).
-    apply div_in; [|apply fromZ_in]. apply mul_in; [|exact A4]. apply div_in; [|apply fromZ_in].
-    apply (join_in (1 - d * d / 2) 1); [apply sub_in; [apply fromZ_in | apply div_in; [exact D2 | apply fromZ_in]] | apply fromZ_in|].
-    replace (moment_cos d 4 / d^5 * 5) with (moment_cos d 4 * 5 / d^5) by (field; lra).
-    split; [apply quotient_at_least | apply quotient_at_most]; lra.
-  - apply curve_encl; [exact HN | exact Hp | apply div_in; apply fromZ_in|].
-    apply (share_in _ (- (1 / 30 * (1 - d * d / 28 * 0))) (- (1 / 30 * (1 - d * d / 28 * 1)))).
-    1, 2: apply neg_in, mul_in; [apply div_in; apply fromZ_in|]; apply sub_in; [apply fromZ_in|];
-      apply mul_in; [apply div_in; [exact D2 | apply fromZ_in] | apply unit_in; lra].
-    assert (U := moment_sin_above d ltac:(lra)).
-    split; [apply quotient_at_least | apply quotient_at_most]; try exact DD.
-    + assert (1/3 - 1/30 * (d * d) <= moment_sin d 1 / d^3); [|lra]. apply quotient_at_least; [exact D3|]. lra.
-    + assert (moment_sin d 1 / d^3 <= 1/3 - 1/30 * (1 - d * d / 28) * (d * d)); [|lra]. apply quotient_at_most; [exact D3|]. lra.
-  - apply curve_encl; [exact HN | exact Hp | exact zero_in|].
-    replace (moment_sin d 3 * a3 / 6 / d^3 / (d * d)) with (moment_sin d 3 / d^5 * 5 / 5 * a3 / 6) by (field; lra).
-    apply div_in; [|apply fromZ_in]. apply mul_in; [|exact A3]. apply div_in; [|apply fromZ_in].
-    apply (join_in (1 - d * d / 6) 1); [apply sub_in; [apply fromZ_in | apply div_in; [exact D2 | apply fromZ_in]] | apply fromZ_in|].
-    replace (moment_sin d 3 / d^5 * 5) with (moment_sin d 3 * 5 / d^5) by (field; lra).
-    split; [apply quotient_at_least | apply quotient_at_most]; lra.
-  - rewrite EQ, Eu. apply integral_H_encl; [exact D | exact Hp | apply Hn | exact Hq | rewrite <- EQ; lra].
-  - assert (R1 := integral_H2_in p part d D Hp n2 q xi (proj2 Hn) (proj1 Hx) ltac:(rewrite <- EQ; lra)).
-    assert (R2 := integral_H2_in p part d D Hp n2 _ xi (proj2 Hn) (proj2 Hx) ltac:(rewrite <- EJ; lra)).
-    cbv zeta in R1, R2. rewrite <- EQ, <- Eu in R1. rewrite <- EJ, <- Eu in R2.
-    assert (UU : 0 < u * u) by (rewrite Eu; pos). assert (H0 := H_at_0_in p). assert (PP := pi_in p).
-    assert (EX : X / (u * u) = (1 - s) * (tau_JJ u J / (u * u)) + s * (tau_JJ u Q / (u * u))) by (rewrite HX; field; lra).
-    set (gJ := tau_JJ u J / (u * u)) in *. set (gQ := tau_JJ u Q / (u * u)) in *.
-    assert (W : forall i gJ gQ g, inI gJ i -> inI gQ i -> g = (1 - s) * gJ + s * gQ -> inI g i).
-    { intros j a b g Ha Hb ->. destruct (Rle_dec a b) as [L|L].
-      - assert (0 <= s * (b - a)) by pos. assert (0 <= (1 - s) * (b - a)) by pos. apply (share_in _ a b); [exact Ha | exact Hb | lra].
-      - assert (0 <= s * (a - b)) by pos. assert (0 <= (1 - s) * (a - b)) by pos. apply (share_in _ b a); [exact Hb | exact Ha | lra]. }
-    assert (Rr : inI ((X / (u * u) - H_at_0 / PI) / d) (rise (integral_H2 p part n2 xi)))
-      by (apply (W _ _ _ _ (proj1 R2) (proj1 R1)); rewrite EX; field; lra).
-    assert (Rw : inI (X / (u * u)) (whole (integral_H2 p part n2 xi))) by (exact (W _ _ _ _ (proj2 R2) (proj2 R1) EX)).
-    unfold encl, bend_of, rise_of. cbn [at_U at_0 slope_0]. split; [|split; [exact Rr | split; [exact Rr | split; [|exact Rw]]]].
-    + unfold integral_H2. cbn [zero]. apply div_in; [apply double_H_in | exact PP].
-    + replace (((X / (u * u) - H_at_0 / PI) / d - (X / (u * u) - H_at_0 / PI) / d) / d) with 0 by (field; lra). exact zero_in.
-Qed.
-End Moments.
-
 Lemma turn_in qi : inI q qi -> inI (- (sqrt (sqrt 3) * (16 * q + 7) / (36 * (PI * sqrt PI)))) (turn qi).
 Proof.
   intros Hq. assert (PP := pi_in p). apply neg_in, div_in.
@@ -292,8 +213,10 @@ Proof.
   set (xi := I.join qi (I.add p qi (values p part Ai))) in *.
   destruct (midpoint_somewhere d Q D ltac:(assert (P := pi_value); lra)) as [a3 [a4 [H3 [H4 HM]]]].
   destruct (gain_somewhere u J Q ltac:(assert (P := pi_value); lra) (proj1 J0) (conj (proj2 J0) Q0)) as [t [X0 [Ht [HX HG]]]].
-  assert (M := moments_in part eps u al y H Heps Hu HQ HJ Hp khi Hk n1 n2 qi xi a3 a4 t X0 Hn Hq Hx H3 H4 Ht HX).
-  cbv zeta in M. fold d Q in M. fold q in M.
+  assert (Ej : PI/2 + d * ((J - PI/2) / d) = J) by (field; lra). assert (Eq : PI/2 + d * q = Q) by (unfold q; field; lra).
+  assert (M := moments_in p part d D Hp n1 n2 khi qi xi q ((J - PI/2) / d) _ _ a3 a4 t X0 Hn ltac:(lra) ltac:(lra) Hk
+    (ab_range eps u al y H Heps Hu HQ HJ) Hq Hx). cbv zeta in M. rewrite Ej, Eq in M. rewrite <- Eu in M.
+  specialize (M H3 H4 Ht HX).
   assert (B := share_encl p part d D Hp i s f g A Ai _ _ C1 C2 C3 M).
   assert (V := share_value eps u al y H Heps Hu HQ (proj2 HJ) a3 a4 X0 HM HG). cbv zeta in V. fold d Q in V. fold q l in V.
   match type of B with encl _ ?x _ => set (S := x) in *; change (at_U S = (clock eps u al - 1) / sqrt eps) in V end.
