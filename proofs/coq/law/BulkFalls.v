@@ -7,6 +7,7 @@
     turn_below           == al' - al, from below
     rate_above           == J - J' <= 1.0014 [fall_rate] eps^2 (al' - al)
     rates, ranges        == what coq-interval says of it
+    bulk_sines           == the sines of d and U at a step of the bulk
     C10                  == (C10) *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -246,6 +247,23 @@ Proof.
   split; interval with (i_bisect th, i_taylor th, i_depth 12).
 Qed.
 
+(** A flight of the bulk has the sines that [Step] asks for. *)
+Lemma bulk_sines eps u u' th : 0 < eps <= 1/1000 -> 0 < u' < u -> u <= PI/2 -> 0 <= th <= 0.7944 ->
+  cos u' - cos u = eps * tan th * (2 * PI - u - u') -> near_half_pi ((PI - middle u u') * cos th) ->
+  sin (half u u') <= 0.003 /\ 0.78 <= sin (middle u u').
+Proof.
+  intros He B1 B2 Hth E HQ. assert (P := PI2_1). set (F := PI - middle u u') in *.
+  assert (C : 0 < cos th) by (apply cos_gt_0; lra). destruct (ranges th (F * cos th) HQ Hth) as [R1 R2].
+  replace (F * cos th / cos th) with F in R1, R2 by (field; lra).
+  assert (ES : sin F = sin (middle u u')) by (unfold F; rewrite sin_minus, sin_PI, cos_PI; ring). rewrite ES in R1, R2.
+  split; [|exact R1]. assert (Z := seven eps u u' th E). fold F in Z.
+  apply Rle_trans with (2 := R2). apply Rle_trans with (eps * (tan th * F / sin (middle u u'))).
+  - right. apply Rmult_eq_reg_r with (sin (middle u u')); [|lra]. rewrite Z. field. lra.
+  - apply Rmult_le_compat_r; [|apply He]. assert (F0 : 0 < F) by (unfold F, middle; lra).
+    apply Rle_mult_inv_pos; [|lra]. apply Rmult_le_pos; [|lra].
+    destruct (Req_dec th 0) as [->|]; [rewrite tan_0; lra | left; apply tan_gt_0; lra].
+Qed.
+
 Theorem C10 eps u al u' al' : step eps u al u' al' -> eps <= 1/1000 ->
   near_half_pi (middle_invariant eps u al u') ->
   let th := al + beta eps u in
@@ -258,17 +276,7 @@ Proof.
   assert (Hth : 0 <= th < PI/2) by (unfold th; lra). assert (C : 0 < cos th) by (apply cos_gt_0; lra).
   unfold middle_invariant in HQ. fold th in HQ, E. set (F := PI - middle u u') in *.
   assert (Er : forall hi, th <= 0.7944 -> 1.0014 * fall_rate th (F * cos th) <= hi -> Lambda hi).
-  { intros hi Ht Hr. unfold Lambda. destruct (ranges th (F * cos th) HQ ltac:(lra)) as [R1 R2].
-    replace (F * cos th / cos th) with F in R1, R2 by (field; lra).
-    assert (ES : sin F = sin (middle u u')) by (unfold F; rewrite sin_minus, sin_PI, cos_PI; ring). rewrite ES in R1,
-      R2.
-    assert (Z := seven eps u u' th E). fold F in Z.
-    assert (Sd : sin (half u u') <= 0.003).
-    { apply Rle_trans with (2 := R2). apply Rle_trans with (eps * (tan th * F / sin (middle u u'))).
-      - right. apply Rmult_eq_reg_r with (sin (middle u u')); [|lra]. rewrite Z. field. lra.
-      - apply Rmult_le_compat_r; [|exact He]. assert (F0 : 0 < F) by (unfold F, middle; lra).
-        apply Rle_mult_inv_pos; [|lra]. apply Rmult_le_pos; [|lra].
-        destruct (Req_dec th 0) as [->|]; [rewrite tan_0; lra | left; apply tan_gt_0; lra]. }
+  { intros hi Ht Hr. unfold Lambda. destruct (bulk_sines eps u u' th ltac:(lra) B1 B2 ltac:(lra) E HQ) as [Sd R1].
     assert (G := rate_above eps u u' th ltac:(lra) B1 B2 Hth E Sd R1). fold F in G.
     replace (th - beta eps u) with al in G by (unfold th; ring). replace (th + beta eps u') with al' in G by (unfold
       th; lra).

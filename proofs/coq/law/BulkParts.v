@@ -6,7 +6,8 @@
     turned           == (al' - al)/eps
     after, fall      == (J' - Q)/eps^2 and (J - J')/eps^3
     gained           == (sin U (al' - al) - 2 eps)/eps^3
-    parts            == they are so *)
+    shares_of        == the numbers near 1 of a step; shares_near_one == they are near 1
+    turns_are, turns_differ, gained_is, after_is_after, fall_is == what these parts stand for *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Quotients Sines Arctangent PiValue LawStatement Angles Falls Sizes BulkFalls.
@@ -39,6 +40,15 @@ Definition fall := cos th * (cos_1 N * ((2 * t^3 * arc N - 4/3 * (t * arc N)^3 *
   eps^2 * moved * less_cos) + Q * less_cos + t * arc N * sin th * more_sin.
 End Values.
 
+Definition shares_of eps u u' := {| cosine := cos (half u u'); arc := half u u' / sin (half u u');
+  bow := (sin (half u u') - half u u' * cos (half u u')) / sin (half u u') ^ 3;
+  chord := (2 * half u u' - sin (2 * half u u')) / (4/3 * half u u' ^ 3);
+  turn_1 := beta eps u * sin u / eps; turn_2 := beta eps u' * sin u' / eps;
+  rest_1 := 3 * (eps / sin u - beta eps u) / (eps / sin u)^3;
+  rest_2 := 3 * (eps / sin u' - beta eps u') / (eps / sin u')^3;
+  cos_1 := cos (beta eps u); cos_2 := cos (beta eps u');
+  slow := (beta eps u' - beta eps u) / (eps / sin u' - eps / sin u) |}.
+
 Section Step.
 Variables eps u u' th : R.
 Hypothesis Heps : 0 < eps <= 1/1000.
@@ -58,11 +68,7 @@ Let t := tan th * F / S.
 Hypothesis Hs : sin d <= 0.003.
 Hypothesis HS : 0.78 <= S.
 
-Let N := {| cosine := cos d; arc := d / sin d; bow := (sin d - d * cos d) / sin d ^ 3;
-  chord := (2 * d - sin (2 * d)) / (4/3 * d^3);
-  turn_1 := b * sin u / eps; turn_2 := b' * sin u' / eps;
-  rest_1 := 3 * (eps / sin u - b) / (eps / sin u)^3; rest_2 := 3 * (eps / sin u' - b') / (eps / sin u')^3;
-  cos_1 := cos b; cos_2 := cos b'; slow := (b' - b) / (eps / sin u' - eps / sin u) |}.
+Let N := shares_of eps u u'.
 
 Lemma t_is : sin d = eps * t.
 Proof.
@@ -73,7 +79,7 @@ Lemma sines_are : sin u = sine_1 S K t eps N /\ sin u' = sine_2 S K t eps N /\ 0
 Proof.
   destruct (sine_u u u' th Hu Hu2 Hth) as [E E']. fold U d S K in E, E'.
   destruct (small u u' Hu Hu2 Hs HS) as [s0 [_ [_ [_ [C _]]]]]. fold d in s0, C.
-  destruct (sines u u' Hu Hu2) as [_ L]. unfold sine_1, sine_2, N, cosine. rewrite <- t_is.
+  destruct (sines u u' Hu Hu2) as [_ L]. unfold sine_1, sine_2, N, shares_of, cosine; fold b b' d. rewrite <- t_is.
   split; [exact E|]. split; [exact E'|]. split; [|exact L]. rewrite E'. destruct (COS_bound U) as [_ K1]. fold K in K1.
   assert (S * 0.99999 <= S * cos d) by (apply Rmult_le_compat_l; lra).
   assert (K * sin d <= 1 * sin d) by (apply Rmult_le_compat_r; lra). lra.
@@ -95,13 +101,13 @@ Proof.
     split; [apply quotient_at_least | apply quotient_at_most]; lra.
   - split; [apply quotient_at_least | apply quotient_at_most]; lra.
 Qed.
-Theorem near_one_N : near_one N.
+Theorem shares_near_one : near_one N.
 Proof.
   destruct (small u u' Hu Hu2 Hs HS) as [s0 [[D0 D1] [D2 [_ C]]]]. fold d in s0, D0, D1, D2, C.
   destruct sines_are as [_ [_ [L1 L2]]].
   destruct (turns_near u ltac:(lra)) as [X [T [R [B _]]]]. destruct (turns_near u' ltac:(lra)) as [X' [T' [R' [B' _]]]].
   cbv zeta in R, R'. assert (s3 : 0 < sin d ^ 3) by (apply pow_lt; lra). assert (d3 : 0 < d^3) by (apply pow_lt; lra).
-  assert (P := pi_value). unfold near_one, N. cbn -[pow]. split; [|split; [tauto | split; [exact B | split; [exact B'|]]]].
+  assert (P := pi_value). unfold near_one, N, shares_of. cbn -[pow]. fold d b b'. split; [|split; [tauto | split; [exact B | split; [exact B'|]]]].
   - split; [exact C|]. split; [split; [apply quotient_at_least | apply quotient_at_most]; lra|]. split.
     + split; [apply Rle_mult_inv_pos; [assert (H := tangent_above d ltac:(lra))|]; lra|]. apply quotient_at_most; [lra|].
       assert (H := cosine_below d ltac:(lra)). assert (sin d <= d) by lra.
@@ -128,7 +134,7 @@ Qed.
 Lemma turns_are : b = eps * (turn_1 N / sine_1 S K t eps N) /\ b' = eps * (turn_2 N / sine_2 S K t eps N) /\
   b + b' = eps * turned S K t eps N.
 Proof.
-  destruct sines_are as [E [E' [L1 L2]]]. unfold turned. rewrite <- E, <- E'. unfold N, turn_1, turn_2.
+  destruct sines_are as [E [E' [L1 L2]]]. unfold turned. rewrite <- E, <- E'. unfold N, shares_of, turn_1, turn_2; fold b b' d.
   repeat split; field; lra.
 Qed.
 Lemma turns_differ : b' - b = eps^2 * (2 * K * t * slow N / (sine_1 S K t eps N * sine_2 S K t eps N)).
@@ -136,15 +142,15 @@ Proof.
   destruct sines_are as [E [E' [L1 L2]]]. assert (D : sin u - sin u' = 2 * K * (eps * t))
     by (rewrite E, E'; unfold sine_1, sine_2; ring).
   rewrite <- E, <- E'. replace (2 * K * t) with ((sin u - sin u') / eps) by (rewrite D; field; lra).
-  unfold N, slow. assert (0 < eps * (sin u - sin u')) by (apply Rmult_lt_0_compat; lra). field. repeat split; lra.
+  unfold N, shares_of, slow; fold b b' d. assert (0 < eps * (sin u - sin u')) by (apply Rmult_lt_0_compat; lra). field. repeat split; lra.
 Qed.
 Lemma gained_is : S * (b + b') - 2 * eps = eps^3 * gained S K t eps N.
 Proof.
   destruct sines_are as [E [E' [L1 L2]]]. destruct (small u u' Hu Hu2 Hs HS) as [s0 [_ [_ [_ C]]]]. fold d in s0, C.
-  assert (B : b = eps / sin u - (eps / sin u)^3 * rest_1 N / 3) by (unfold N, rest_1; field; repeat split; lra).
-  assert (B' : b' = eps / sin u' - (eps / sin u')^3 * rest_2 N / 3) by (unfold N, rest_2; field; repeat split; lra).
+  assert (B : b = eps / sin u - (eps / sin u)^3 * rest_1 N / 3) by (unfold N, shares_of, rest_1; fold b b' d; field; repeat split; lra).
+  assert (B' : b' = eps / sin u' - (eps / sin u')^3 * rest_2 N / 3) by (unfold N, shares_of, rest_2; fold b b' d; field; repeat split; lra).
   assert (T : t^2 / (1 + cosine N) = (1 - cosine N) / eps^2).
-  { unfold N, cosine. assert (P := sin2_cos2 d). unfold Rsqr in P. rewrite t_is in P.
+  { unfold N, shares_of, cosine; fold b b' d. assert (P := sin2_cos2 d). unfold Rsqr in P. rewrite t_is in P.
     apply Rmult_eq_reg_r with (eps^2 * (1 + cos d));
       [|apply Rmult_integral_contrapositive_currified; [apply pow_nonzero|]; lra].
     transitivity (1 - cos d * cos d); [|field; lra]. transitivity (eps * t * (eps * t)); [field; lra | lra]. }
@@ -166,14 +172,14 @@ Proof.
   destruct sines_are as [E [E' [L1 L2]]]. destruct (small u u' Hu Hu2 Hs HS) as [s0 _]. fold d in s0.
   assert (T : t = sin d / eps) by (rewrite t_is; field; lra). unfold moved. rewrite <- E'.
   assert (A : d * sin u' - sin d * S = d * (S * cos d - K * sin d) - sin d * S)
-    by (rewrite E'; unfold sine_2, N, cosine; rewrite t_is; ring).
-  transitivity ((d * sin u' - sin d * S) / sin u'); [field; lra|]. rewrite A. unfold N, bow, arc. rewrite T. field. lra.
+    by (rewrite E'; unfold sine_2, N, shares_of, cosine; fold b b' d; rewrite t_is; ring).
+  transitivity ((d * sin u' - sin d * S) / sin u'); [field; lra|]. rewrite A. unfold N, shares_of, bow, arc; fold b b' d. rewrite T. field. lra.
 Qed.
 Lemma after_is_after : invariant u' (th + b') - Q = eps^2 * after th Q S K t eps N.
 Proof.
   destruct sines_are as [E [E' [L1 L2]]]. destruct (small u u' Hu Hu2 Hs HS) as [s0 _]. fold d in s0.
   destruct (beta_parts eps u' (proj1 Heps) ltac:(lra)) as [C [B W]]. fold b' in C, B, W.
-  assert (G : d = eps * (t * arc N)) by (unfold N, arc; rewrite <- Rmult_assoc, <- t_is; field; lra).
+  assert (G : d = eps * (t * arc N)) by (unfold N, shares_of, arc; fold b b' d; rewrite <- Rmult_assoc, <- t_is; field; lra).
   assert (K1 : 1 - cos b' = eps^2 * ((cos b')^2 / ((1 + cos b') * sin u' ^ 2))).
   { apply Rmult_eq_reg_r with ((1 + cos b') * sin u' ^ 2);
       [|apply Rmult_integral_contrapositive_currified; [|apply pow_nonzero]; lra].
@@ -189,10 +195,10 @@ Proof.
   destruct sines_are as [E [E' [L1 L2]]]. destruct (small u u' Hu Hu2 Hs HS) as [s0 [[D0 _] _]]. fold d in s0, D0.
   destruct (beta_parts eps u (proj1 Heps) ltac:(lra)) as [C _]. fold b in C.
   destruct (beta_parts eps u' (proj1 Heps) ltac:(lra)) as [C' _]. fold b' in C'.
-  assert (G : d = eps * (t * arc N)) by (unfold N, arc; rewrite <- Rmult_assoc, <- t_is; field; lra).
-  assert (H : 2 * d - sin (2 * d) = 4/3 * d^3 * chord N) by (unfold N, chord; field; lra).
+  assert (G : d = eps * (t * arc N)) by (unfold N, shares_of, arc; fold b b' d; rewrite <- Rmult_assoc, <- t_is; field; lra).
+  assert (H : 2 * d - sin (2 * d) = 4/3 * d^3 * chord N) by (unfold N, shares_of, chord; fold b b' d; field; lra).
   assert (DD : sin (2 * U) * sin (2 * d) = eps * doubles S K t N)
-    by (rewrite !sin_2a; fold S K; rewrite t_is; unfold doubles, N, cosine; ring).
+    by (rewrite !sin_2a; fold S K; rewrite t_is; unfold doubles, N, shares_of, cosine; fold b b' d; ring).
   assert (X := L43c_X u u' Hu Hu2). fold U d S in X.
   assert (W := proj1 (sine_products u u')). fold U d S in W. rewrite <- W, H in X.
   assert (Y := L43c_cos eps u u' (proj1 Heps) Hu Hu2). fold b b' U d in Y. rewrite DD in Y.
