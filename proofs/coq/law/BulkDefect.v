@@ -1,29 +1,23 @@
-(** Condition (C9) of law.md: the defect of a step of the bulk, for every eps <= 1/1000. No certificate says so: L51 gives M
-    as a function of th, Q and J', of eps and of numbers near 1, and coq-interval encloses that.
+(** Condition (C9) of law.md: the defect of a step of the bulk, for every eps <= 1/1000. No certificate says so: L51
+    gives M as a function of th, Q and J', of eps and of numbers near 1, and coq-interval encloses that.
 
-    share_of     == M: D = (eps/2) M (al' - al)
-    share_is     == it is so
-    share_near   == M is within the width of (C9)
-    C9           == (C9) *)
+    share_of   == M, with errors e of P, z of Taylor's formula by the angle, and r of the sine of J'/cos th
+    share_is   == D = (eps/2) M (al' - al)
+    share_near == M is within the width of (C9)
+    C9         == (C9) *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Quotients Trigonometry PiValue LawStatement Start Angles Falls BulkFalls ClockAngle ClockFall BulkParts.
+From Dumbbell Require Import Quotients Trigonometry PiValue LawStatement Start Angles Falls BulkSines BulkParts
+  BulkFalls ClockAngle ClockFall.
 Local Open Scope R_scope.
 
-(** F, sin U, cos U and sin d/eps of a flight. *)
-Definition far th Q := Q / cos th.
-Definition sine_U th Q := sin (far th Q).
-Definition cosine_U th Q := - cos (far th Q).
-Definition tilt th Q := tan th * far th Q / sine_U th Q.
-
-(** e, z and r stand for the errors of P, of Taylor's formula by the angle, and of the sine's. *)
 Definition share_of th Q J eps e z r N := let S := sine_U th Q in let K := cosine_U th Q in let t := tilt th Q in
-  let v := sine_1 S K t eps N in let v' := sine_2 S K t eps N in
-  let h := turn_1 N / v in let h' := turn_2 N / v' in let a := after th Q S K t eps N / cos th in
+  let h := turn_1 N / sine_1 S K t eps N in let h' := turn_2 N / sine_2 S K t eps N in
+  let a := after th Q S K t eps N / cos th in
   (gained S K t eps N + slope2 J th * ((h^3 + h'^3) / 6) + z * (bend th * (eps * ((h^4 + h'^4) / 24))) -
-    (loss_integral (th - eps * h) + e) * fall th Q S K t eps N) / turned S K t eps N +
-  slope1 J th * (K * t * slow N / (v * v')) - K * a + r * (eps * a)^2.
+    (loss_integral (th - eps * h) + e) * fall th Q S K t eps N) / turning S t eps N +
+  slope1 J th * (K * t * slow N / both_sines S t eps) - K * a + r * (eps * a)^2.
 
 Section Step.
 Variables eps u u' th : R.
@@ -47,33 +41,20 @@ Let K := cosine_U th Q.
 Let t := tilt th Q.
 Let N := shares_of eps u u'.
 
-Lemma flight_is : far th Q = PI - middle u u' /\ S = sin (middle u u') /\ K = cos (middle u u') /\
-  t = tan th * (PI - middle u u') / sin (middle u u').
-Proof.
-  assert (P := PI2_1). assert (C : 0 < cos th) by (apply cos_gt_0; lra).
-  assert (F : far th Q = PI - middle u u') by (unfold far, Q; field; lra).
-  assert (ES : S = sin (middle u u')) by (unfold S, sine_U; rewrite F, sin_minus, sin_PI, cos_PI; ring).
-  split; [exact F|]. split; [exact ES|]. split; [unfold K, cosine_U; rewrite F, cos_minus, sin_PI, cos_PI; ring|].
-  unfold t, tilt. fold S. now rewrite F, ES.
-Qed.
-
 Theorem share_is : exists e z r, (-0.0005 <= e <= 0.0005 /\ -1 <= z <= 1 /\ -1 <= r <= 1) /\ near_one N /\
   0 < b + b' /\ defect eps u (th - b) u' (th + b') = share_of th Q J' eps e z r N * (eps / 2 * (b + b')).
 Proof.
-  assert (P := PI2_1). assert (P' := pi_value). assert (Hth2 : 0 <= th < PI/2) by lra.
-  destruct (bulk_sines eps u u' th Heps Hu Hu2 Hth HE HQ) as [Hs HS]. destruct flight_is as [EF [ES [EK Et]]].
-  assert (NN := shares_near_one eps u u' th Heps Hu Hu2 Hth2 HE Hs HS). fold N in NN.
-  destruct (sines_are eps u u' th Heps Hu Hu2 Hth2 HE Hs HS) as [V [V' [L1 L2]]].
-  destruct (turns_near eps Heps u ltac:(lra)) as [_ [_ [_ [_ B1]]]]. fold b in B1.
-  destruct (turns_near eps Heps u' ltac:(lra)) as [_ [_ [_ [_ B2]]]]. fold b' in B2.
-  assert (T := turns_are eps u u' th Heps Hu Hu2 Hth2 HE Hs HS).
-  assert (TD := turns_differ eps u u' th Heps Hu Hu2 Hth2 HE Hs HS).
-  assert (G := gained_is eps u u' th Heps Hu Hu2 Hth2 HE Hs HS).
-  assert (A := after_is_after eps u u' th Heps Hu Hu2 Hth2 HE Hs HS).
-  assert (D := fall_is eps u u' th Heps Hu Hu2 Hth2 HE Hs HS).
-  cbv zeta in V, V', T, TD, G, A, D. fold b b' N Q in V, V', T, TD, G, A, D.
-  rewrite <- Et in V, V', T, TD, G, A, D. rewrite <- ES, <- EK in V, V', T, TD, G, A, D. fold J J' in A, D.
-  assert (JJ := L44_falls eps u u' th (proj1 Heps) Hu Hu2 Hth2 HE Hal'). fold b b' in JJ. fold J J' in JJ.
+  assert (P := PI2_1). assert (P' := pi_value).
+  assert (NN : near_one N) by (apply (shares_near eps u u' th); assumption).
+  destruct (sines_are eps u u' th Heps Hu Hu2 Hth HE HQ) as [_ [_ [_ [_ [L1 L2]]]]].
+  destruct (turns_near eps u Heps ltac:(lra)) as [_ [_ [_ [_ [B1 _]]]]]. fold b in B1.
+  destruct (turns_near eps u' Heps ltac:(lra)) as [_ [_ [_ [_ [B2 _]]]]]. fold b' in B2.
+  assert (T := turns_are eps u u' th Heps Hu Hu2 Hth HE HQ).
+  assert (TD := turns_differ eps u u' th Heps Hu Hu2 Hth HE HQ).
+  assert (G := gained_is eps u u' th Heps Hu Hu2 Hth HE HQ). assert (D := fall_is eps u u' th Heps Hu Hu2 Hth HE HQ).
+  assert (A := after_is_after eps u u' th Heps Hu Hu2 Hth HE HQ).
+  cbv zeta in T, TD, G, A, D. fold b b' Q in T, TD, G, A, D. fold S K t N J J' in T, TD, G, A, D.
+  assert (JJ := L44_falls eps u u' th (proj1 Heps) Hu Hu2 ltac:(lra) HE Hal'). fold b b' in JJ. fold J J' in JJ.
   destruct (clock_falls J J' (th - b) HJ HJ' ltac:(lra) ltac:(lra)) as [e [He C]].
   destruct (W_about J' th b b' HJ' Hth ltac:(lra) ltac:(lra)) as [z [Hz W2]].
   destruct (end_near J' HJ') as [_ [A1 A2]].
@@ -92,11 +73,11 @@ Proof.
   destruct R as [r [Hr WJ]]. exists e, z, r. split; [tauto|]. split; [exact NN|]. split; [lra|].
   destruct T as [Tb [Tb' TB]]. unfold share_of. fold S K t. cbv zeta. fold a.
   set (h := turn_1 N / sine_1 S K t eps N) in *. set (h' := turn_2 N / sine_2 S K t eps N) in *.
-  set (B := turned S K t eps N) in *. set (q := K * t * slow N / (sine_1 S K t eps N * sine_2 S K t eps N)).
+  set (B := turning S t eps N) in *. set (q := K * t * slow N / both_sines S t eps).
   assert (BP : 0 < B) by (apply Rmult_lt_reg_l with eps; lra).
   assert (Tq : (b'^2 - b^2) / 2 = eps^3 * (B * q)).
-  { replace ((b'^2 - b^2) / 2) with ((b' - b) * (b + b') / 2) by field. rewrite TD, TB. unfold q.
-    field. rewrite <- V, <- V'. lra. }
+  { replace ((b'^2 - b^2) / 2) with ((b' - b) * (b + b') / 2) by field. rewrite TD, TB.
+    replace (2 * K * t * slow N / both_sines S t eps) with (2 * q) by (unfold q, Rdiv; ring). field. }
   replace (th - eps * h) with (th - b) by lra.
   assert (E : clock_integral J (th - b) - clock_integral J' (th + b') - 2 * eps =
     eps^3 * gained S K t eps N + (- K * x + r * x^2) * (eps * B) + slope1 J' th * (eps^3 * (B * q)) +
@@ -111,17 +92,14 @@ End Step.
 
 Lemma share_near th Q J eps e z r N : near_half_pi Q -> near_half_pi J -> 0 <= eps <= 1/1000 -> 0 <= th <= 0.7944 ->
   -0.0005 <= e <= 0.0005 -> -1 <= z <= 1 -> -1 <= r <= 1 -> near_one N ->
-  -1 <= (share_of th Q J eps e z r N - rate th) / width th <= 1.
+  Rabs ((share_of th Q J eps e z r N - rate th) / width th) <= 1.
 Proof.
-  intros HQ HJ Heps Hth He Hz Hr. apply decimals in HQ. apply decimals in HJ. destruct N as [c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11].
-  unfold near_one, nearly. cbn -[pow]. intros [[H1 [H2 [H3 H4]]] [[H5 [H6 [H7 H8]]] [H9 [H10 H11]]]].
-  unfold share_of, gained, fall, after, moved, less_cos, more_sin, doubles, turned, sine_1, sine_2, tilt, sine_U, cosine_U,
-    far, slope1, slope2, bend, loss_integral, rate, width. cbn -[pow]. cbv zeta.
-  destruct (Rle_dec th 0.4) as [T|T]; [|destruct (Rle_dec th 0.7) as [T'|T']].
-  all: split; interval with (i_bisect th, i_autodiff th, i_depth 14).
+  intros HQ HJ Heps Hth He Hz Hr HN. apply decimals in HQ. apply decimals in HJ.
+  destruct N as [c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13]. unfold near_one, nearly in HN. cbn -[pow] in HN.
+  destruct HN as [[H1 [H2 [H3 H4]]] [[H5 [H6 [H7 H8]]] [H9 [H10 [H11 [H12 H13]]]]]].
+  unfold share_of, slope1, slope2, bend, loss_integral, rate, width. unfold_parts. cbv zeta.
+  interval with (i_bisect th, i_autodiff th, i_depth 14).
 Qed.
-
-
 Theorem C9 : bulk_defect.
 Proof.
   intros eps u al u' al' [A [B1 B2] [C1 C2] D E] He HQ th share Ht HJ HJ'. assert (P := PI2_1).
@@ -138,6 +116,7 @@ Proof.
   assert (Y : 0 < y) by (apply Rmult_lt_0_compat; lra).
   assert (W0 : 0 < width th) by (unfold width; assert (0 <= th^8) by (apply pow_le; lra); lra).
   replace (m * y - rate th * y) with ((m - rate th) / width th * (width th * y)) by (field; lra).
-  assert (WY : 0 < width th * y) by (now apply Rmult_lt_0_compat). rewrite Rabs_mult, (Rabs_pos_eq (width th * y)) by lra.
-  rewrite <- (Rmult_1_l (width th * y)) at 2. apply Rmult_le_compat_r; [lra | now apply Rabs_le].
+  assert (WY : 0 < width th * y) by (now apply Rmult_lt_0_compat).
+  rewrite Rabs_mult, (Rabs_pos_eq (width th * y)) by lra.
+  rewrite <- (Rmult_1_l (width th * y)) at 2. apply Rmult_le_compat_r; [lra | exact M].
 Qed.

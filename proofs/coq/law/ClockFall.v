@@ -1,9 +1,10 @@
-(** What the clock's integral S loses as J falls (dS/dJ = -P in L46 and L51 of law.md): P is enclosed by a polynomial, for
-    every J of the window of (C9).
+(** What the clock's integral S loses as J falls (dS/dJ = -P in L46 and L51 of law.md): P is enclosed by a polynomial,
+    for every J of the window of (C9).
 
-    loss, loss_integral == - dW/dJ at J = pi/2; a polynomial near its integral from an angle to pi/3
+    loss          == - dW/dJ at J = pi/2
+    loss_integral == a polynomial near its integral from an angle to pi/3; loss_slope == minus its derivative
     end_near      == the upper end of S is near pi/3
-    loss_from     == the polynomial, within 0.0002
+    loss_from     == the integral up to there, within 0.00022 of the polynomial
     clock_falls   == S (J, x) - S (J', x) = - (J - J') P, P within 0.0005 of the polynomial *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -13,6 +14,7 @@ Local Open Scope R_scope.
 
 Definition loss a := - cos (PI / 2 / cos a) / cos a.
 Definition loss_integral x := 0.54935 - 0.2629 * x^3 - 0.1347 * x^5 - 0.08123 * x^7 + 0.0151 * x^9.
+Definition loss_slope x := 0.7887 * x^2 + 0.6735 * x^4 + 0.56861 * x^6 - 0.1359 * x^8.
 
 Lemma cosine_least a : -1 < a < 1.0473 -> 0.4999 <= cos a.
 Proof. intros Ha. interval. Qed.
@@ -32,12 +34,10 @@ Proof.
       apply Rle_lt_trans with (1 := proj2 Ha), Rmax_lub_lt]; lra. }
   apply (ex_derive_continuous loss a). unfold loss. auto_derive. lra.
 Qed.
-Lemma short_integral f a b m : a <= b -> ex_RInt f a b -> (forall t, a <= t <= b -> Rabs (f t) <= m) ->
-  Rabs (RInt f a b) <= (b - a) * m.
-Proof. intros Hab E H. exact (abs_RInt_le_const f a b m Hab E H). Qed.
 
 (** The upper end. *)
-Lemma end_near J : near_half_pi J -> let A := acos (J / PI) in PI * cos A = J /\ PI/3 - 0.00002 <= A <= PI/3 + 0.00002.
+Lemma end_near J : near_half_pi J -> let A := acos (J / PI) in
+  PI * cos A = J /\ PI/3 - 0.00002 <= A <= PI/3 + 0.00002.
 Proof.
   intros HJ A. unfold near_half_pi in HJ. assert (P := pi_digits). assert (R : 0.49999 <= J / PI <= 0.50001)
     by (split; [apply quotient_at_least | apply quotient_at_most]; lra).
@@ -49,26 +49,27 @@ Proof.
 Qed.
 
 (** The polynomial's derivative is near - loss; at 0 it is near the whole integral. *)
-Lemma loss_near a : 0 <= a <= 0.8 -> let q := 0.7887 * a^2 + 0.6735 * a^4 + 0.56861 * a^6 - 0.1359 * a^8 in
-  q - 0.00014 <= loss a <= q + 0.00014.
+Lemma loss_near a : 0 <= a <= 0.8 -> loss_slope a + -0.00014 <= loss a <= loss_slope a + 0.00014.
 Proof.
-  intros Ha q. assert (B : -0.00014 <= loss a - q <= 0.00014); [|lra]. unfold loss, q.
-  split; interval with (i_bisect a, i_taylor a).
+  intros Ha. assert (B : Rabs (loss a - loss_slope a) <= 0.00014); [|apply Rabs_le_between in B; lra].
+  unfold loss, loss_slope. interval with (i_bisect a, i_taylor a).
 Qed.
 Lemma loss_from x z : 0 <= x <= 0.8 -> PI/3 - 0.00002 <= z <= PI/3 + 0.00002 ->
   loss_integral x - 0.00022 <= RInt loss x z <= loss_integral x + 0.00022.
 Proof.
-  intros Hx Hz. assert (P := pi_digits). set (q a := 0.7887 * a^2 + 0.6735 * a^4 + 0.56861 * a^6 - 0.1359 * a^8).
-  assert (Q : forall k, is_RInt (fun a => q a + k) 0 x (0.54935 - loss_integral x + x * k)).
+  intros Hx Hz. assert (P := pi_digits).
+  assert (Q : forall k, is_RInt (fun a => loss_slope a + k) 0 x (0.54935 - loss_integral x + x * k)).
   { intros k. replace (0.54935 - loss_integral x + x * k) with
       ((0.54935 - loss_integral x + x * k) - (0.54935 - loss_integral 0 + 0 * k)) by (unfold loss_integral; lra).
     apply (is_RInt_derive (fun a => 0.54935 - loss_integral a + a * k)).
-    - intros a _. unfold loss_integral, q. auto_derive; [easy | lra].
-    - intros a _. apply (ex_derive_continuous (fun a => q a + k) a). unfold q. auto_derive. easy. }
+    - intros a _. unfold loss_integral, loss_slope. auto_derive; [easy | lra].
+    - intros a _. apply (ex_derive_continuous (fun a => loss_slope a + k) a). unfold loss_slope. auto_derive. easy. }
   assert (L : is_RInt loss 0 x (RInt loss 0 x))
     by (apply (RInt_correct (V := R_CompleteNormedModule)), loss_between; lra).
-  assert (A := is_RInt_le _ _ 0 x _ _ (proj1 Hx) (Q (-0.00014)) L ltac:(intros a Ha; destruct (loss_near a); fold (q a) in *; lra)).
-  assert (B := is_RInt_le _ _ 0 x _ _ (proj1 Hx) L (Q 0.00014) ltac:(intros a Ha; destruct (loss_near a); fold (q a) in *; lra)).
+  assert (A := is_RInt_le _ _ 0 x _ _ (proj1 Hx) (Q (-0.00014)) L
+    (fun a Ha => proj1 (loss_near a ltac:(lra)))).
+  assert (B := is_RInt_le _ _ 0 x _ _ (proj1 Hx) L (Q 0.00014)
+    (fun a Ha => proj2 (loss_near a ltac:(lra)))).
   assert (C1 : RInt loss 0 x + RInt loss x (PI/3) = slope_of_growth)
     by (apply (RInt_Chasles loss 0 x (PI/3)); apply loss_between; lra).
   assert (C2 : RInt loss x (PI/3) + RInt loss (PI/3) z = RInt loss x z)
@@ -76,10 +77,10 @@ Proof.
   assert (C3 : Rabs (RInt loss (PI/3) z) <= 0.0000402).
   { destruct (Rle_dec (PI/3) z) as [Z|Z].
     - apply Rle_trans with ((z - PI/3) * 2.01); [|lra].
-      apply short_integral; [exact Z | apply loss_between; lra | intros t Ht; apply loss_bound; lra].
+      apply abs_RInt_le_const; [exact Z | apply loss_between; lra | intros t Ht; apply loss_bound; lra].
     - assert (S : opp (RInt loss z (PI/3)) = RInt loss (PI/3) z) by (apply opp_RInt_swap, loss_between; lra).
       rewrite <- S. unfold opp; simpl. rewrite Rabs_Ropp. apply Rle_trans with ((PI/3 - z) * 2.01); [|lra].
-      apply short_integral; [lra | apply loss_between; lra | intros t Ht; apply loss_bound; lra]. }
+      apply abs_RInt_le_const; [lra | apply loss_between; lra | intros t Ht; apply loss_bound; lra]. }
   apply Rabs_le_between in C3. assert (V := slope_value). lra.
 Qed.
 
@@ -110,7 +111,8 @@ Proof.
     assert (Y : forall j, Rabs (j - PI/2) <= 0.00003 -> Rabs (j / cos a - PI / 2 / cos a) <= 0.0000602).
     { intros j Hj. replace (j / cos a - PI / 2 / cos a) with ((j - PI/2) * / cos a) by (field; lra).
       rewrite Rabs_mult, (Rabs_pos_eq (/ cos a)) by (left; apply Rinv_0_lt_compat; lra).
-      apply quotient_at_most; [lra|]. assert (0.0000602 * 0.4999 <= 0.0000602 * cos a) by (apply Rmult_le_compat_l; lra).
+      apply quotient_at_most; [lra|]. assert (0.0000602 * 0.4999 <= 0.0000602 * cos a)
+        by (apply Rmult_le_compat_l; lra).
       lra. }
     assert (Y1 := Y J ltac:(apply Rabs_le; lra)). assert (Y2 := Y J' ltac:(apply Rabs_le; lra)).
     apply Rabs_le_between in Y1. apply Rabs_le_between in Y2. lra. }
@@ -143,7 +145,8 @@ Proof.
     assert (S : sin (PI - J' / cos a) <= PI - J' / cos a); [|lra].
     destruct (Req_dec (PI - J' / cos a) 0) as [->|]; [rewrite sin_0; lra | left; apply sin_lt_x; lra]. }
   assert (M := RInt_le (fun _ => 0) (W J') A A' L (ex_RInt_const A A' 0) I (fun a Ha => proj1 (K a Ha))).
-  assert (N := RInt_le (W J') (fun _ => 2.01 * h) A A' L I (ex_RInt_const A A' (2.01 * h)) (fun a Ha => proj2 (K a Ha))).
+  assert (N := RInt_le (W J') (fun _ => 2.01 * h) A A' L I (ex_RInt_const A A' (2.01 * h))
+    (fun a Ha => proj2 (K a Ha))).
   rewrite RInt_const in M, N. unfold scal in M, N; simpl in M, N; unfold mult in M, N; simpl in M, N.
   assert ((A' - A) * (2.01 * h) <= 0.00004 * (2.01 * h)) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
@@ -151,7 +154,8 @@ Qed.
 Theorem clock_falls : exists e, -0.0005 <= e <= 0.0005 /\
   clock_integral J x - clock_integral J' x = - (h * (loss_integral x + e)).
 Proof.
-  assert (P := pi_digits). destruct (end_near J HJ) as [_ [E1 E2]]. fold A in E1, E2. assert (H0 : 0 <= h) by (unfold h; lra).
+  assert (P := pi_digits). destruct (end_near J HJ) as [_ [E1 E2]]. fold A in E1, E2.
+  assert (H0 : 0 <= h) by (unfold h; lra).
   destruct (end_near J' HJ') as [_ [E1' E2']]. fold A' in E1', E2'. destruct tail_small as [_ T].
   assert (C : RInt (W J') x A + RInt (W J') A A' = RInt (W J') x A')
     by (apply (RInt_Chasles (W J') x A A'); apply W_between; lra).

@@ -1,7 +1,8 @@
 (** Taylor's formula of third order by signs, for an integral about a point.
 
-    third_order    == p from its first three derivatives at 0, if the fourth is at most C
-    integral_about == the integral of f from x - a to x + b, from f, f', f'' at x, if f''' is at most C *)
+    third_order        == p from its first three derivatives at 0, if the fourth is at most C
+    integrable_between == f is integrable where it has a derivative
+    integral_about     == the integral of f from x - a to x + b, from f, f', f'' at x, if f''' is at most C *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Sines.
@@ -37,24 +38,23 @@ Proof.
   assert (A := K 1 ltac:(now left)). assert (B := K (-1) ltac:(now right)). lra.
 Qed.
 
-Section About.
-Variables (f f1 f2 f3 : R -> R) (lo hi x a b C : R).
+Section Smooth.
+Variables (f f1 f2 f3 : R -> R) (lo hi : R).
 Hypothesis Hd : forall y, lo < y < hi -> is_derive f y (f1 y) /\ is_derive f1 y (f2 y) /\ is_derive f2 y (f3 y).
-Hypothesis Ha : 0 <= a /\ lo < x - a.
-Hypothesis Hb : 0 <= b /\ x + b < hi.
-Hypothesis HC : forall y, x - a <= y <= x + b -> - C <= f3 y <= C.
-
 Lemma integrable_between y z : lo < y < hi -> lo < z < hi -> ex_RInt f y z.
 Proof.
   intros Hy Hz. apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t Ht.
   apply (ex_derive_continuous f t). exists (f1 t). apply Hd.
-  split; [apply Rlt_le_trans with (2 := proj1 Ht), Rmin_glb_lt | apply Rle_lt_trans with (1 := proj2 Ht), Rmax_lub_lt]; lra.
+  split; [apply Rlt_le_trans with (2 := proj1 Ht), Rmin_glb_lt |
+    apply Rle_lt_trans with (1 := proj2 Ht), Rmax_lub_lt]; lra.
 Qed.
+Variable x : R.
+Hypothesis Hx : lo < x < hi.
 Lemma integral_derive y : lo < y < hi -> is_derive (fun z => RInt f x z) y (f y).
 Proof.
   intros Hy. apply (is_derive_RInt f (fun z => RInt f x z) x y).
   - assert (P : 0 < Rmin (y - lo) (hi - y)) by (apply Rmin_glb_lt; lra). exists (mkposreal _ P). intros z Hz.
-    apply (RInt_correct (V := R_CompleteNormedModule)), integrable_between; [lra|].
+    apply (RInt_correct (V := R_CompleteNormedModule)), integrable_between; [exact Hx|].
     unfold ball in Hz; simpl in Hz; unfold AbsRing_ball, abs, minus, plus, opp in Hz; simpl in Hz.
     apply Rabs_def2 in Hz. assert (A := Rmin_l (y - lo) (hi - y)). assert (B := Rmin_r (y - lo) (hi - y)). lra.
   - apply (ex_derive_continuous f y). exists (f1 y). now apply Hd.
@@ -66,6 +66,10 @@ Proof.
   apply (is_derive_comp g (fun t => x + e * t)); [now apply D | auto_derive; [easy | ring]].
 Qed.
 
+Variables a b C : R.
+Hypothesis Ha : 0 <= a /\ lo < x - a.
+Hypothesis Hb : 0 <= b /\ x + b < hi.
+Hypothesis HC : forall y, x - a <= y <= x + b -> - C <= f3 y <= C.
 Theorem integral_about : exists z, -1 <= z <= 1 /\
   RInt f (x - a) (x + b) = f x * (a + b) + f1 x * ((b^2 - a^2) / 2) + f2 x * ((a^3 + b^3) / 6) +
     z * (C * ((a^4 + b^4) / 24)).
@@ -109,6 +113,7 @@ Proof.
   destruct (Req_dec r 0) as [Z|Z].
   - exists 0. split; lra.
   - assert (0 < r) by lra. exists ((RInt f (x - a) (x + b) - q) / r).
-    assert (Y : forall v : R, v = q + (v - q) / r * r) by (intros v; field; lra). split; [|exact (Y _)]. split; apply Rmult_le_reg_r with r; try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
+    assert (Y : forall v : R, v = q + (v - q) / r * r) by (intros v; field; lra). split; [|exact (Y _)].
+    split; apply Rmult_le_reg_r with r; try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
 Qed.
-End About.
+End Smooth.
