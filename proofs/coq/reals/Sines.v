@@ -5,6 +5,7 @@
     sine_square     == sin^2 x <= x^2
     cosine_below    == 1 - x^2/2 <= cos x
     sine_below      == x - x^3/6 <= sin x
+    cosine_above    == cos x <= 1 - x^2/2 + x^4/24
     sine_above      == sin x <= x - x^3/6 + x^5/120
     tangent_square  == cos^2 (1 + tan^2) = 1
     arctangent_below == x - x^3 <= atan x *)
@@ -64,16 +65,21 @@ Proof.
   assert (0 <= f' t * (y - 0)) by (apply Rmult_le_pos; [apply P; lra | lra]). lra.
 Qed.
 
+Lemma cosine_above x : 0 <= x -> cos x <= 1 - x^2 / 2 + x^4 / 24.
+Proof.
+  intros Hx. assert (H : 0 <= 1 - x^2 / 2 + x^4 / 24 - cos x); [|lra].
+  apply (grows (fun y => 1 - y^2 / 2 + y^4 / 24 - cos y) (fun y => - y + y^3 / 6 + sin y) x); [| | |lra].
+  - intros y _. auto_derive; [easy | field].
+  - intros y Hy. assert (H := sine_below y ltac:(lra)). simpl. lra.
+  - rewrite cos_0. field.
+Qed.
 Lemma sine_above x : 0 <= x -> sin x <= x - x^3 / 6 + x^5 / 120.
 Proof.
-  intros Hx. assert (D : forall y, 0 <= y <= x -> 0 <= 1 - y^2 / 2 + y^4 / 24 - cos y).
-  { apply (grows _ (fun y => - y + y^3 / 6 + sin y)); [|intros y Hy; assert (H := sine_below y ltac:(lra)); simpl; lra |
-      rewrite cos_0; field].
-    intros y _. auto_derive; [easy | field]. }
-  assert (H : 0 <= x - x^3 / 6 + x^5 / 120 - sin x); [|lra].
-  apply (grows (fun y => y - y^3 / 6 + y^5 / 120 - sin y) (fun y => 1 - y^2 / 2 + y^4 / 24 - cos y) x); [|exact D |
-    rewrite sin_0; field | lra].
-  intros y _. auto_derive; [easy | field].
+  intros Hx. assert (H : 0 <= x - x^3 / 6 + x^5 / 120 - sin x); [|lra].
+  apply (grows (fun y => y - y^3 / 6 + y^5 / 120 - sin y) (fun y => 1 - y^2 / 2 + y^4 / 24 - cos y) x); [| | |lra].
+  - intros y _. auto_derive; [easy | field].
+  - intros y Hy. assert (H := cosine_above y ltac:(lra)). lra.
+  - rewrite sin_0. field.
 Qed.
 
 (** cos^2 (1 + tan^2) = 1. *)
