@@ -1,16 +1,20 @@
 (** Condition (C9) of law.md: the defect of a step of the bulk, for every eps <= 1/1000. No certificate says so: L51
     gives M as a function of th, Q and J', of eps and of numbers near 1, and coq-interval encloses that.
 
-    share_of   == M, with errors e of P, z of Taylor's formula by the angle, and r of the sine of J'/cos th
-    share_is   == D = (eps/2) M (al' - al)
-    share_near == M is within the width of (C9)
-    C9         == (C9) *)
+    rate, width == p and w of (C9)
+    share_of    == M, with errors e of P, z of Taylor's formula by the angle, and r of the sine of J'/cos th
+    share_is    == D = (eps/2) M (al' - al)
+    share_near  == M is within the width of (C9)
+    C9          == (C9) *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Quotients Trigonometry PiValue LawStatement Start Angles Falls BulkSines BulkParts
-  BulkFalls ClockAngle ClockFall.
+From Dumbbell Require Import Quotients Trigonometry PiValue LawStatement Start Angles Falls Windows BulkSines
+  BulkParts BulkFalls ClockAngle ClockFall.
 Local Open Scope R_scope.
+
+Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
+Definition width t := 0.006 + 0.75 * t^8.
 
 Definition share_of th Q J eps e z r N := let S := sine_U th Q in let K := cosine_U th Q in let t := tilt th Q in
   let h := turn_1 N / sine_1 S K t eps N in let h' := turn_2 N / sine_2 S K t eps N in
@@ -100,9 +104,13 @@ Proof.
   unfold share_of, slope1, slope2, bend, loss_integral, rate, width. unfold_parts. cbv zeta.
   interval with (i_bisect th, i_autodiff th, i_depth 14).
 Qed.
-Theorem C9 : bulk_defect.
+Theorem C9 eps u al u' al' : step eps u al u' al' -> eps <= 1/1000 ->
+  near_half_pi (middle_invariant eps u al u') ->
+  let th := al + beta eps u in let share := eps / 2 * (al' - al) in
+  th <= 0.7944 -> near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
+  Rabs (defect eps u al u' al' - rate th * share) <= width th * share.
 Proof.
-  intros eps u al u' al' [A [B1 B2] [C1 C2] D E] He HQ th share Ht HJ HJ'. assert (P := PI2_1).
+  intros [A [B1 B2] [C1 C2] D E] He HQ th share Ht HJ HJ'. assert (P := PI2_1).
   assert (S1 := beta_pos eps u (proj1 A) ltac:(apply sin_gt_0; lra)).
   assert (S2 := beta_pos eps u' (proj1 A) ltac:(apply sin_gt_0; lra)).
   assert (Ea : al = th - beta eps u) by (unfold th; ring). assert (Ea' : al' = th + beta eps u') by (unfold th; lra).

@@ -6,7 +6,7 @@
     C10          == (C10) *)
 From Coq Require Import Reals Lra.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement Angles BulkSines BulkParts.
+From Dumbbell Require Import LawStatement Angles Windows BulkSines BulkParts.
 Local Open Scope R_scope.
 
 Ltac unfold_parts := unfold gained, fall, after, moved, less_cos, more_sin, turning, both_sines, sine_1, sine_2, tilt,

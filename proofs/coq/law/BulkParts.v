@@ -11,7 +11,7 @@
     sines_are, turns_are, turns_differ, gained_is, after_is_after, fall_is == they are so *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Quotients Sines Arctangent PiValue LawStatement Angles Falls Sizes BulkSines.
+From Dumbbell Require Import Quotients Sines Arctangent PiValue LawStatement Angles Falls Sizes Windows BulkSines.
 Local Open Scope R_scope.
 
 (** cos d; d/sin d; (sin d - d cos d)/sin^3 d; (2 d - sin 2 d)/(4 d^3/3); at u and at u' beta/tan beta,

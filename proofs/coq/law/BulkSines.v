@@ -7,7 +7,7 @@
     small            == what follows for d and cos d *)
 From Coq Require Import Reals Lra.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Sines PiValue LawStatement Falls.
+From Dumbbell Require Import Sines PiValue LawStatement Falls Windows.
 Local Open Scope R_scope.
 
 Lemma decimals J : near_half_pi J -> 1.57078 <= J <= 1.57083.

@@ -8,7 +8,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import PiValue Taylor LawStatement Start BulkSines.
+From Dumbbell Require Import PiValue Taylor LawStatement Start Windows BulkSines.
 Local Open Scope R_scope.
 
 Definition slope1 J a := let y := J / cos a in cos y * y * tan a.

@@ -9,7 +9,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Quotients PiValue Trigonometry LawStatement Start ClockAngle.
+From Dumbbell Require Import Quotients PiValue Trigonometry LawStatement Start Windows ClockAngle.
 Local Open Scope R_scope.
 
 Definition loss a := - cos (PI / 2 / cos a) / cos a.
