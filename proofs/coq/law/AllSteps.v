@@ -11,7 +11,7 @@ From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
 From Dumbbell Require Import PiValue LawStatement Sines Angles Falls Orbit Clock Ends Windows Place LayerClock
-  LayerFalls BulkFalls.
+  LayerFalls BulkFalls BulkDefect.
 Local Open Scope R_scope.
 
 (** Three slopes, for a bound from above. *)
@@ -99,7 +99,6 @@ Variables (eps : R) (N n : nat) (u al : nat -> R) (y : R).
 Hypothesis He : eps <= 1/1000.
 Hypothesis Orb : orbit eps N n u al y.
 Hypothesis Hlayer : layer_defect.
-Hypothesis Hbulk : bulk_defect.
 Hypothesis Hend : end_of_orbit.
 Let J i := invariant (u i) (al i).
 Let T i := clock eps (u i) (al i).
@@ -180,7 +179,7 @@ Proof.
     assert (W := L53b_bulk eps (u k) (u (S k)) th E1 B C D E (HU k ltac:(lia))). rewrite <- F in W.
     destruct (W ltac:(lra)) as [W1 [W2 [W3 [W4 [W5 W6]]]]]. clear W.
     assert (ST := orbit_sequence k ltac:(lia)).
-    assert (H0 := Hbulk eps (u k) (al k) (u (S k)) (al (S k)) ST He W1).
+    assert (H0 := C9 eps (u k) (al k) (u (S k)) (al (S k)) ST He W1).
     destruct (C10 eps (u k) (al k) (u (S k)) (al (S k)) ST He W1) as [H1 [H2 H3]].
     fold th in H0, H1, H2, H3. set (dJ := invariant (u k) (al k) - invariant (u (S k)) (al (S k))) in *.
     set (DD := defect eps (u k) (al k) (u (S k)) (al (S k))) in *. set (da := al (S k) - al k) in *.

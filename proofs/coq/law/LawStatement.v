@@ -15,8 +15,7 @@
     step, last              == from a contact to the next one; from the last contact along the tangent flight
     middle, half, middle_invariant, defect == U, d, Q, D of a step
     difference, comparison, place == Delta, D0, y of a T (L57)
-    near_half_pi, rate, width == the window of (C9) and (C10), and p and w of (C9)
-    steps, layer_defect, bulk_defect, end_of_orbit == the conditions (C1) to (C4), (C6) and (C7), (C9), (C11) *)
+    steps, layer_defect, end_of_orbit == the conditions (C1) to (C4), (C6) and (C7), (C11) *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Statement.
@@ -88,16 +87,6 @@ Definition layer_defect := forall eps u al u' al', step eps u al u' al' -> eps <
   let T := clock eps u al in let y := place eps T in let Delta := difference T in
   comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * Delta^2)) <= defect eps u al u' al' <=
     comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)).
-
-(** (C9). How J falls, (C10), is proved in BulkFalls.v. *)
-Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
-Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
-Definition width t := 0.006 + 0.75 * t^8.
-Definition bulk_defect := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
-  near_half_pi (middle_invariant eps u al u') ->
-  let th := al + beta eps u in let share := eps / 2 * (al' - al) in
-  th <= 0.7944 -> near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
-  Rabs (defect eps u al u' al' - rate th * share) <= width th * share.
 
 (** (C11): what the clock shows at the last contact, beside k0 s. *)
 Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->
