@@ -206,7 +206,7 @@ Proof.
   assert (K := nodes_below (fun x => - f x) (fun x => - f1 x) (fun x => - f2 x) u (- l) n Hu Hn
     ltac:(intros x Hx; exact (is_derive_opp f x _ (D1 x Hx))) ltac:(intros x Hx; exact (is_derive_opp f1 x _ (D2 x Hx)))
     ltac:(intros x Hx; specialize (H x Hx); lra) ltac:(intros a b Ha Hb; exact (proj1 (negated_integral f a b (I a b Ha Hb))))).
-  cbv zeta in K. fold spread in K.
+  cbv beta zeta in K. fold spread in K.
   assert (S : fold_right (fun i s => - f (u * part_node n i) * part_weight n i + s) 0 (upto 0 (Z.to_nat n)) = - node_sum).
   { unfold node_sum. generalize (upto 0 (Z.to_nat n)). intros t. induction t as [|i t IH]; cbn [fold_right]; [|rewrite IH]; ring. }
   rewrite S, E in K. lra.
