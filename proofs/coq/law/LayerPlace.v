@@ -69,3 +69,9 @@ Proof.
       by (field; lra). rewrite Ww, Q2, Qe. field. lra.
 Qed.
 End Place.
+
+(** What a leaf of the layer is checked for, in numbers: Rr starts with 1 and with the slope of L57 (b), y/U with 1. *)
+Lemma excess_is U rho q Rr v bend rise : 0 < U -> 0 < v -> rho < 1 ->
+  Rr = 1 - U * (5 / (3 * PI) + rho^2 / (3 * PI) * (12 * q - / (1 - rho))) + U * U * bend -> v = 1 + U * rise ->
+  1 - Rr = U * v * (5 / (3 * PI) + (rho * (rho * ((12 * q - 1 / (1 - rho)) / (3 * PI)) / v) + U * (- (bend + 5 / (3 * PI) * rise) / v))).
+Proof. intros HU Hv Hr -> Ev. assert (P := PI_RGT_0). rewrite Ev in *. field. repeat split; lra. Qed.

@@ -36,6 +36,8 @@ Proof.
   rewrite Rmult_1_r, Rmult_1_l. apply IZR_lt. nia.
 Qed.
 
+Ltac facts K := destruct K as
+  [F_eps F_u F_u2 F_th F_flight F_U F_d F_rho F_rU F_uU F_uU' F_al F_before F_after F_J F_J' F_Q F_e].
 Section State.
 Variables eps u al u' al' : R.
 Hypothesis HL : layer_step eps u al u' al'.
@@ -87,17 +89,17 @@ Lemma sizes_are : at_U (z_sin_U C s) = sin U /\ at_U (z_cos_U C s) = cos U /\ z_
   at_U (z_ehat C s) = e /\ at_U (z_change C s) = a * (1 - rho * rho) /\ at_U (z_first C s) = ap + rho * a /\
   at_U (z_last C s) = ap /\ U * at_U (z_apart C s) = ap + a * (1 + rho) / 2.
 Proof.
-  destruct layer_facts. assert (K := step_values eps u u' th f_eps0 f_u0 f_u3 f_th0 f_flight0 Qj HQj). exact K.
+  facts layer_facts. assert (K := step_values eps u u' th F_eps F_u F_u2 F_th F_flight Qj HQj). exact K.
 Qed.
 Lemma falls_are : J - Q = (ap + rho * a) * d^2 / U /\ J' - Q = ap * d^2 / U.
 Proof.
-  destruct layer_facts. assert (B := L49_before eps u u' th f_eps0 f_u0 f_u3 ltac:(lra) f_flight0).
-  assert (A := L49_after eps u u' th f_eps0 f_u0 f_u3 ltac:(lra) f_flight0). rewrite f_before0 in B. rewrite f_after0 in A.
+  facts layer_facts. assert (B := L49_before eps u u' th F_eps F_u F_u2 ltac:(lra) F_flight).
+  assert (A := L49_after eps u u' th F_eps F_u F_u2 ltac:(lra) F_flight). rewrite F_before in B. rewrite F_after in A.
   split; [exact B | exact A].
 Qed.
 Lemma J_value : at_U (J_of C rho s) = J.
 Proof.
-  destruct layer_facts. destruct sizes_are as (_ & _ & _ & EQ & _ & _ & A & _). destruct falls_are as [F _].
+  facts layer_facts. destruct sizes_are as (_ & _ & _ & EQ & _ & _ & A & _). destruct falls_are as [F _].
   unfold J_of. cbn [s_add s_mul s_line C exact jadd jmul jline at_U]. fold C. rewrite EQ, HQj, A.
   change (n_Z C 0) with 0. change (n_sqr C rho) with (rho * rho). replace J with (Q + (ap + rho * a) * d^2 / U) by lra.
   unfold rho. field. lra.
@@ -106,14 +108,14 @@ Qed.
 (** Nodes. *)
 Lemma node_G_value Jj x : 0 < x -> at_U (node_G C Jj (x / U)) = kernel (fun F => G F (at_U Jj)) x.
 Proof.
-  intros Hx. destruct layer_facts. unfold node_G, s_G, s_root_of.
+  intros Hx. facts layer_facts. unfold node_G, s_G, s_root_of.
   assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W. rewrite W.
   cbn [s_mul s_inv s_line s_root s_sub s_sqr C exact jmul jinv jline jsqrt jsub jsqr at_U n_neg n_pi]. fold C.
   replace (PI + U * - (x / U)) with (PI - x) by (field; lra). replace (x / U * U) with x by (field; lra). reflexivity.
 Qed.
 Lemma node_H_value Jj x : 0 < x -> 0 < at_U Jj < PI - x -> at_U (node_H C Jj (x / U)) = kernel (fun F => H F (at_U Jj)) x.
 Proof.
-  intros Hx HJ. destruct layer_facts. unfold node_H, s_H.
+  intros Hx HJ. facts layer_facts. unfold node_H, s_H.
   assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W. rewrite W.
   cbn [s_mul s_inv s_line s_root s_sub s_sqr C exact jmul jinv jline jsqrt jsub jsqr at_U n_neg n_pi]. fold C.
   replace (PI + U * - (x / U)) with (PI - x) by (field; lra). replace (x / U * U) with x by (field; lra).
@@ -135,31 +137,31 @@ Definition tau_J_rest := spread_of n * way_rest (fun F => H F Q) u n.
 Definition mean_rest := step_rest (fun F => H F Q) U u d * ((d / U)^2 * (1 / 3 - (d / U)^2 / 9)).
 Lemma k_value : at_U (k_of C rho nodes s tau_rest) = 2 * (tau u J / u^2) / e.
 Proof.
-  destruct layer_facts. destruct sizes_are as (_ & _ & _ & _ & Ee & _).
+  facts layer_facts. destruct sizes_are as (_ & _ & _ & _ & Ee & _).
   assert (Hu : 0 < u) by lra. unfold k_of. cbn [s_scale s_mul s_add s_inv s_curve C exact jscale jmul jadd jinv jcurve at_U]. fold C.
   unfold nodes. rewrite (nodes_sum n _ (kernel (fun F => G F J)) U rho u); [|intros t Ht|exact Hn].
   - rewrite Ee. assert (W : tau u J / u^2 = _) by exact (way_rest_is (fun F => G F J) u Hu n Hn). rewrite W.
     unfold tau_rest. change (n_Z C 0) with 0. change (n_Z C 2) with 2. change (n_mul C (n_sqr C (plus C rho)) ?x) with ((1 + rho) * (1 + rho) * x).
-    assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite f_uU0, <- f_rU0; ring). rewrite Eu.
+    assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite F_uU, <- F_rU; ring). rewrite Eu.
     set (v := way_rest _ _ _). set (v' := sum_of _ _ _). cbn. field. lra.
   - assert (X := node_G_value (J_of C rho s) (u * t) ltac:(apply Rmult_lt_0_compat; lra)). rewrite J_value in X. rewrite <- X.
-    do 2 f_equal. rewrite f_uU0, <- f_rU0. field. lra.
+    do 2 f_equal. rewrite F_uU, <- F_rU. field. lra.
 Qed.
 Lemma way_value : at_U (way_of C rho nodes Qj tau_J_rest) = tau_J u Q / u^2.
 Proof.
-  destruct layer_facts. assert (Hu : 0 < u) by lra. unfold way_of. cbn [s_add s_curve C exact jadd jcurve at_U]. fold C.
+  facts layer_facts. assert (Hu : 0 < u) by lra. unfold way_of. cbn [s_add s_curve C exact jadd jcurve at_U]. fold C.
   unfold nodes. rewrite (nodes_sum n _ (kernel (fun F => H F Q)) U rho u); [|intros t Ht|exact Hn].
   - assert (W : tau_J u Q / u^2 = _) by exact (way_rest_is (fun F => H F Q) u Hu n Hn). rewrite W.
     unfold tau_J_rest. change (n_Z C 0) with 0. change (n_mul C (n_sqr C (plus C rho)) ?x) with ((1 + rho) * (1 + rho) * x).
-    assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite f_uU0, <- f_rU0; ring). rewrite Eu.
+    assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite F_uU, <- F_rU; ring). rewrite Eu.
     set (v := way_rest _ _ _). set (v' := sum_of _ _ _). cbn. ring.
   - assert (u * t < u * 1) by (apply Rmult_lt_compat_l; lra).
     assert (X := node_H_value Qj (u * t) ltac:(apply Rmult_lt_0_compat; lra) ltac:(rewrite HQj; lra)). rewrite HQj in X. rewrite <- X.
-    do 2 f_equal. rewrite f_uU0, <- f_rU0. field. lra.
+    do 2 f_equal. rewrite F_uU, <- F_rU. field. lra.
 Qed.
 Lemma mean_value : at_U (mean_of C rho Qj mean_rest) = (tau_J u Q - tau_J u' Q) / (d * U).
 Proof.
-  destruct layer_facts. unfold mean_of. cbn [s_add s_curve s_scale C exact jadd jcurve jscale at_U]. fold C.
+  facts layer_facts. unfold mean_of. cbn [s_add s_curve s_scale C exact jadd jcurve jscale at_U]. fold C.
   assert (Q2 : 0 < d^2 / (3 * U) < d).
   { split; [apply Rdiv_lt_0_compat; [apply pow_lt|]; lra|]. apply Rmult_lt_reg_r with (3 * U); [lra|].
     replace (d^2 / (3 * U) * (3 * U)) with (d * d) by (field; lra).
@@ -170,7 +172,7 @@ Proof.
   rewrite X. assert (W : RInt (fun x => sin x * H (PI - x) Q) (U - d) u / (d * U) = _)
     by exact (step_rest_is (fun F => H F Q) U u d ltac:(lra)). change (n_Z C 0) with 0. change (n_Z C 2) with 2.
   assert (CH : RInt (fun x => sin x * H (PI - x) Q) (U - d) u = tau_J u Q - tau_J u' Q).
-  { rewrite <- f_uU'0. unfold tau_J. assert (HR := H_ready Q ltac:(lra)).
+  { rewrite <- F_uU'. unfold tau_J. assert (HR := H_ready Q ltac:(lra)).
     assert (K := RInt_Chasles (V := R_CompleteNormedModule) (fun x => sin x * H (PI - x) Q) 0 u' u (HR 0 u' ltac:(lra) ltac:(lra)) (HR u' u ltac:(lra) ltac:(lra))).
     unfold Hierarchy.plus in K; simpl in K. lra. }
   rewrite CH in W. rewrite W. unfold mean_rest. ring.
@@ -182,7 +184,7 @@ Definition e_sin := moment_rest_sin U d.
 Definition e_mid := middle_rest U d Q.
 Lemma first_value : at_U (first_part C s e_cos e_sin e_mid) = midpoint_error U d Q / d^3.
 Proof.
-  destruct layer_facts. destruct sizes_are as (Es & Ec & EF & EQ & _).
+  facts layer_facts. destruct sizes_are as (Es & Ec & EF & EQ & _).
   unfold first_part. rewrite EF, EQ. cbv zeta.
   cbn [s_add s_sub s_mul s_neg s_scale s_inv s_root s_sqr s_curve C exact jadd jsub jmul jneg jscale jinv jsqrt jsqr jcurve jline at_U]. fold C.
   rewrite Es, Ec, HQj. change (n_Z C 0) with 0. change (n_Z C 2) with 2. change (n_Z C 3) with 3. change (n_div C (n_Z C 1) 3) with (1 / 3).
@@ -200,15 +202,15 @@ Lemma second_value hj hj' h h' : at_U hj = h -> at_U hj' = h' ->
   at_U (second_part C rho s mean (both_of C rho mean way) hj hj') =
     ((tau u J - tau u Q) - (tau u' J' - tau u' Q)) / d^3.
 Proof.
-  intros Eh Eh' T T' mean way. destruct layer_facts. destruct sizes_are as (_ & _ & _ & _ & _ & Ech & Ef & El & Ea).
+  intros Eh Eh' T T' mean way. facts layer_facts. destruct sizes_are as (_ & _ & _ & _ & _ & Ech & Ef & El & Ea).
   assert (EW := way_value). assert (EM := mean_value). fold mean in EM. fold way in EW.
   unfold second_part, both_of, plus, minus.
   cbn [s_add s_sub s_mul s_scale s_sqr s_line s_tight C exact jadd jsub jmul jscale jsqr jline at_U n_sqr n_add n_sub n_div n_mul n_Z]. fold C.
   rewrite EM, EW, Ech, Ef, El, Eh, Eh'. rewrite T, T'. destruct falls_are as [-> ->].
   replace (at_U (z_apart C s)) with ((ap + a * (1 + rho) / 2) / U) by (rewrite <- Ea; field; lra).
   assert (R1 : 1 - rho <> 0) by lra.
-  assert (Hu : (1 + rho) * U = u) by (rewrite f_uU0, <- f_rU0; ring). assert (Hu' : (1 - rho) * U = u') by (rewrite f_uU'0, <- f_rU0; ring).
-  set (x := tau_J u Q). set (y := tau_J u' Q). rewrite <- Hu, <- Hu', <- f_rU0. field. repeat split; lra.
+  assert (Hu : (1 + rho) * U = u) by (rewrite F_uU, <- F_rU; ring). assert (Hu' : (1 - rho) * U = u') by (rewrite F_uU', <- F_rU; ring).
+  set (x := tau_J u Q). set (y := tau_J u' Q). rewrite <- Hu, <- Hu', <- F_rU. field. repeat split; lra.
 Qed.
 Theorem defect_value hj hj' h h' : at_U hj = h -> at_U hj' = h' ->
   tau u J - tau u Q = (J - Q) * tau_J u Q + (J - Q)^2 / 2 * (u^2 * h) ->
@@ -221,17 +223,17 @@ Theorem defect_value hj hj' h h' : at_U hj = h -> at_U hj' = h' ->
   1 <= T /\ 0 < at_U hf /\ defect eps u al u' al' = comparison eps T * at_U (ratio_of C s m hf) /\
   place eps T = U * at_U (place_of C s hf) /\ difference T ^ 2 = rho / (at_U hf * at_U hf).
 Proof.
-  intros Eh Eh' T0 T0' mean way k m hf T HB. destruct layer_facts.
+  intros Eh Eh' T0 T0' mean way k m hf T HB. facts layer_facts.
   assert (Ek := k_value). fold k in Ek. set (k1 := tau u J / u^2) in *. assert (Hu : 0 < u) by lra.
   destruct sizes_are as (_ & _ & _ & _ & Ee & _).
-  assert (Alr : 0 < al < PI/2) by (assert (K := beta_pos eps u f_eps0 ltac:(apply sin_gt_0; lra)); unfold th in f_th0; lra).
+  assert (Alr : 0 < al < PI/2) by (assert (K := beta_pos eps u F_eps ltac:(apply sin_gt_0; lra)); unfold th in F_th; lra).
   assert (K1 : 0 < k1).
   { apply Rdiv_lt_0_compat; [|now apply pow_lt]. assert (X := L45c_below (u / 2) J ltac:(lra) ltac:(lra)).
     assert (M := tau_mono (u / 2) u J J ltac:(lra) ltac:(lra) ltac:(lra)).
     assert (Y := G_pos PI J ltac:(lra)). assert (0 < u / 2 * (u / 2)) by (apply Rmult_lt_0_compat; lra).
     assert (0 < G PI J * (u / 2 * (u / 2) / 2)) by (apply Rmult_lt_0_compat; lra). lra. }
-  assert (Eu : (1 + rho) * U = u) by (rewrite f_uU0, <- f_rU0; ring).
-  assert (Eeps : rho * U^2 * e = eps) by (unfold e; rewrite <- f_rU0; field; lra).
+  assert (Eu : (1 + rho) * U = u) by (rewrite F_uU, <- F_rU; ring).
+  assert (Eeps : rho * U^2 * e = eps) by (unfold e; rewrite <- F_rU; field; lra).
   assert (Eclock : T = ((1 + rho) * U)^2 * k1 / (2 * (rho * U^2 * e))).
   { unfold T, clock. fold J. unfold J. rewrite L45a_clock by lra. fold J. rewrite Eu, Eeps. unfold k1. field. lra. }
   set (kk := 2 * k1 / e) in *.
@@ -250,15 +252,15 @@ Proof.
     assert (0 <= (1 + rho)^2 * k1 - 2 * rho * e); [|lra]. apply Rmult_le_reg_r with (1 := W). lra. }
   assert (Em : at_U m * (rho * U)^3 = 2 * eps * defect eps u al u' al').
   { unfold m. cbn [jadd at_U]. rewrite first_value. unfold mean, way. rewrite (second_value hj hj' h h' Eh Eh' T0 T0').
-    destruct HL as [S _]. rewrite (L49_defect eps u al u' al' S f_al0 f_Q0). fold U d Q J J'. rewrite f_rU0. field. lra. }
-  split; [exact TT|]. destruct (roots_by_half rho e k1 ltac:(lra) f_e0 K1) as [_ HP]. fold kk in HP. fold bb in HP.
+    destruct HL as [S _]. rewrite (L49_defect eps u al u' al' S F_al F_Q). fold U d Q J J'. rewrite F_rU. field. lra. }
+  split; [exact TT|]. destruct (roots_by_half rho e k1 ltac:(lra) F_e K1) as [_ HP]. fold kk in HP. fold bb in HP.
   rewrite <- Ehf in HP. split; [exact HP|].
-  assert (PB := place_by_half U rho e k1 ltac:(lra) ltac:(lra) f_e0 K1). rewrite <- Eclock in PB. specialize (PB TT).
+  assert (PB := place_by_half U rho e k1 ltac:(lra) ltac:(lra) F_e K1). rewrite <- Eclock in PB. specialize (PB TT).
   rewrite Eeps in PB. fold kk in PB. fold bb in PB. rewrite <- Ehf in PB. destruct PB as [PB1 PB2].
   split; [|split; [|exact PB2]].
-  - assert (X := L50a_ratio U rho e k1 ltac:(lra) ltac:(lra) f_e0 K1 (at_U m) (defect eps u al u' al')).
+  - assert (X := L50a_ratio U rho e k1 ltac:(lra) ltac:(lra) F_e K1 (at_U m) (defect eps u al u' al')).
     rewrite <- Eclock, Eeps in X. rewrite (X TT ltac:(lra)). f_equal.
-    rewrite (ratio_by_half rho e k1 ltac:(lra) f_e0 K1). fold kk. fold bb. rewrite <- Ehf.
+    rewrite (ratio_by_half rho e k1 ltac:(lra) F_e K1). fold kk. fold bb. rewrite <- Ehf.
     unfold ratio_of, n_k0. cbn [s_scale s_mul s_sqr s_inv s_root s_tight C exact jscale jmul jsqr jinv jsqrt at_U n_div n_mul n_sqrt n_Z n_pi]. fold C.
     rewrite Ee, step_constant_is. destruct root_three as [S3 _]. assert (P := PI_RGT_0).
     assert (0 < sqrt e) by (apply sqrt_lt_R0; lra). assert (0 < sqrt PI) by (now apply sqrt_lt_R0). assert (0 < sqrt (sqrt 3)) by (now apply sqrt_lt_R0).
