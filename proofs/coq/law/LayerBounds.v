@@ -114,7 +114,7 @@ Proof.
   assert (P := pi_value). assert (AQ := at_Q eps u al u' al' HL). fold U d rho Q q Qj in AQ.
   destruct (constants_in p) as (Kn & Ks & Kh & Kc & K0). fold c in Kn, Ks, Kh, Kc, K0.
   assert (Z := Z_in p). assert (Fr := frac_in p). assert (HP := pi_in p). fold c in HP.
-  take tb. subst tb. take calc. subst calc. fold C'.
+  fold C'.
   take qi. assert (Hq : inI q qi).
   { apply (refined_in p eps u al u' al' HL Ui ri HU Hr). apply (offset_in p eps u al u' al' HL Ui ri HU Hr (jline U Q 0));
       [unfold Q; apply (at_crude eps u al u') | apply (crude_related p eps u al u' al' HL Ui ri HU Hr)]. }
@@ -249,8 +249,6 @@ Proof.
   assert (Hx1 : forall x A, inI x A -> inI (rho * rho * (q + 0)) (I.mul p r2 (I.add p qi (I.join I.zero A))) /\
     inI (rho * rho * (q + x)) (I.mul p r2 (I.add p qi (I.join I.zero A)))).
   { intros x A HxA. split; (apply mul_in; [exact Hr2|]); (apply (add_in p); [exact Hq|]); apply I.join_correct; [left; apply zero_in | right; exact HxA]. }
-  assert (Rise : forall x y z h0', x / u^2 = x / u^2 -> (y - h0') / U <= (z - h0') / U -> y <= z \/ z <= y) by (intros; lra).
-  clear Rise.
   assert (Mid : forall x y z i, inI ((x - h0) / U) i -> inI ((y - h0) / U) i -> x <= z <= y -> inI ((z - h0) / U) i).
   { intros x y z i Hx' Hy Hz. apply (between_in _ _ _ _ Hx' Hy). assert (0 < / U) by (now apply Rinv_0_lt_compat).
     split; (apply Rmult_le_compat_r; lra). }
@@ -275,8 +273,62 @@ Proof.
   assert (Hratio : encl U ratio ratioi) by (now apply (r_ratio C C' inI (encl U) rel)). clearbody ratioi.
   take vi. set (v := place_of C s hf). assert (Hv : encl U v vi) by (now apply (r_place C C' inI (encl U) rel)). clearbody vi.
   take vati. assert (Hvat : inI (at_U v) vati) by exact (values_in p U Hne _ _ _ HU Hv). clearbody vati.
-  unfold n_excess. cbv zeta. cbv beta iota.
-  Show.
-Admitted.
+  (* (1 - Rr)/y - 5/(3 pi) is rho X + U Y *)
+  set (X := rho * ((12 * q - 1 / (1 - rho)) / (3 * PI)) / at_U v).
+  set (Y := - (bend_of U ratio + 5 / (3 * PI) * rise_of U v) / at_U v).
+  set (x := n_excess C' ri qi (bend ratioi) (rise vi) vati).
+  assert (HX : inI X (fst x) /\ inI Y (snd x)).
+  { destruct Hratio as (_ & _ & _ & Rb & _). destruct Hv as (_ & _ & Vr & _).
+    assert (P3 : inI (3 * PI) (I.mul p (I.fromZ p 3) (t_pi (c_table c)))) by (apply mul_in; [apply Z | exact HP]).
+    split; (apply div_in; [|exact Hvat]).
+    - apply mul_in; [exact Hr | apply div_in; [apply sub_in; [apply mul_in; [apply Z | exact Hq]|] | exact P3]].
+      apply div_in; [apply Z | apply sub_in; [apply Z | exact Hr]].
+    - apply neg_in, (add_in p); [exact Rb|]. apply mul_in; [apply div_in; [apply Z | exact P3] | exact Vr]. }
+  destruct x as [xi' yi]. cbn [fst snd] in HX. destruct HX as [HX HY]. cbv beta iota.
+  set (D2 := 1 / (at_U hf * at_U hf)).
+  take D2i. assert (HD2 : inI D2 D2i) by (apply div_in; [apply Z | apply (sqr_in p), (values_in p U Hne _ _ _ HU Hhf)]). clearbody D2i.
+  assert (Test : forall X Y x y, (nonneg x && nonneg y || nonneg (I.add p (I.mul p ri x) (I.mul p Ui y)))%bool = true ->
+    inI X x -> inI Y y -> 0 <= rho * X + U * Y).
+  { intros X' Y' x y H HX' HY'. apply orb_prop in H. destruct H as [H|H].
+    - apply andb_prop in H. destruct H as [H1 H2']. assert (A := nonneg_true _ _ H1 HX'). assert (B := nonneg_true _ _ H2' HY').
+      assert (0 <= rho * X') by (apply Rmult_le_pos; lra). assert (0 <= U * Y') by (apply Rmult_le_pos; lra). lra.
+    - apply (nonneg_true _ _ H). apply (add_in p); now apply mul_in. }
+  cbv zeta beta. intros H. apply andb_prop in H. destruct H as [H Hi]. apply andb_prop in H. destruct H as [Hb Lo].
+  assert (L' : 0 <= rho * (X - -43 / 100 * D2) + U * (Y - -31 / 200 * at_U v)).
+  { apply (Test _ _ _ _ Lo); [apply sub_in; [exact HX | apply mul_in; [apply Fr | exact HD2]]
+    | apply sub_in; [exact HY | apply mul_in; [apply Fr | exact Hvat]]]. }
+  assert (G' : 0 <= rho * - (X - 9 / 20 * D2) + U * - (Y - 1 / 8 * at_U v)).
+  { apply (Test _ _ _ _ Hi); apply neg_in; [apply sub_in; [exact HX | apply mul_in; [apply Fr | exact HD2]]
+    | apply sub_in; [exact HY | apply mul_in; [apply Fr | exact Hvat]]]. }
+  clear Test.
+  assert (HB : 0 <= at_U (below_of C rho k)).
+  { apply (nonneg_true _ _ Hb). apply (values_in p U Hne); [exact HU|]. now apply (r_below C C' inI (encl U) rel rho ri Hr). }
+  destruct (defect_value _ _ _ _ _ HL Qj AQ 12 ltac:(lia) hj hj' h h' ltac:(unfold hj; cbn; field; lra) ltac:(unfold hj'; cbn; field; lra) Gh Gh' HB)
+    as (T1 & Hf0 & ED & EP & EDl).
+  change (0 < at_U hf) in Hf0. change (defect eps u al u' al' = comparison eps (clock eps u al) * at_U ratio) in ED.
+  change (place eps (clock eps u al) = U * at_U v) in EP. change (difference (clock eps u al) ^ 2 = rho / (at_U hf * at_U hf)) in EDl.
+  set (T := clock eps u al) in *.
+  destruct (L57b U rho q F_rho nodes half_way s (start_sizes U rho q F_rho ltac:(lra)) (e_cos u u') (e_sin u u') (e_mid eps u al u')
+    (mean_rest eps u al u') (tau_J_rest eps u al u' 12) (tau_rest u al 12) hj hj' eq_refl) as [R0 R1].
+  change (at_0 ratio = 1) in R0. change (slope_0 ratio = - (5 / (3 * PI) + rho^2 / (3 * PI) * (12 * q - / (1 - rho)))) in R1.
+  assert (V0 : at_0 v = 1) by exact (start_place U rho q F_rho nodes half_way s (start_sizes U rho q F_rho ltac:(lra)) (tau_rest u al 12)).
+  assert (D0 : 0 < difference T) by (destruct (difference_falls T T ltac:(lra)); assumption).
+  assert (SE : 0 < sqrt eps) by (now apply sqrt_lt_R0).
+  assert (y0 : 0 < place eps T).
+  { unfold place. destruct root3 as [_ [T0 [T3 _]]]. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; [|lra] | exact SE] | exact D0].
+    apply sqrt_lt_R0. apply Rmult_lt_0_compat; lra. }
+  assert (v0 : 0 < at_U v) by (apply Rmult_lt_reg_l with U; [exact U0 | rewrite <- EP, Rmult_0_r; exact y0]).
+  assert (E1 := excess_is U rho q (at_U ratio) (at_U v) (bend_of U ratio) (rise_of U v) U0 v0 ltac:(lra)
+    ltac:(unfold bend_of, rise_of; rewrite R0, R1; field; repeat split; lra) ltac:(unfold rise_of; rewrite V0; field; lra)).
+  fold X Y in E1. rewrite <- EP in E1.
+  assert (c0 : 0 < comparison eps T).
+  { unfold comparison. destruct k0_value. apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | now apply pow_lt]. }
+  unfold layer_bounds. fold T. cbv zeta. rewrite ED, EDl. set (y := place eps T) in *.
+  replace (rho / (at_U hf * at_U hf)) with (rho * D2) by (unfold D2; field; lra). rewrite EP in *. clear EP.
+  set (g := 5 / (3 * PI)) in *. set (w := U * at_U v) in *.
+  assert (B1 : w * (g + (rho * X + U * Y)) <= w * (g + 0.125 * w + 0.45 * (rho * D2))) by (apply Rmult_le_compat_l; unfold w in *; lra).
+  assert (B2 : w * (g - 0.155 * w - 0.43 * (rho * D2)) <= w * (g + (rho * X + U * Y))) by (apply Rmult_le_compat_l; unfold w in *; lra).
+  split; (apply Rmult_le_compat_l; lra).
+Qed.
 End Leaf.
 End LayerBounds.

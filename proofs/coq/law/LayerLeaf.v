@@ -42,8 +42,8 @@ Definition make_constants (n m : nat) : constants :=
 
 Variable c : constants.
 Variable U rho : I.type.
-Let T := c_table c.
-Let C := enclosing p T U.
+Notation T := (c_table c).
+Notation C := (enclosing p T U).
 Notation plus := (plus C rho).
 
 Definition offset (s : sizes C) := let e2 := I.sqr p (values p U (z_ehat C s)) in
