@@ -7,7 +7,7 @@
     LayerLeaf.beyond_leaf  == no step of the leaf has eps <= 1/1000 *)
 From Coq Require Import ZArith List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Calculus LayerRule.
+From Dumbbell Require Import Calculus LayerRule NodeRule.
 Import ListNotations.
 
 (** By L57 Rr = 1 - U (gamma + rho^2 turn) + U^2 bend, y = U v, v = 1 + U rise; Delta^2 = rho/half^2. *)
@@ -31,20 +31,19 @@ Notation frac a b := (I.div p (I.fromZ p a) (I.fromZ p b)).
 Record constants := { c_table : table; c_nodes : list (I.type * I.type); c_spread : I.type;
   c_parts : list (I.type * I.type); c_half_pi : I.type; c_crude : I.type; c_h0 : I.type }.
 (** Of n equal parts of [0, 1]: the mean node of each, its weight, and n^4 times what is left of t^2/2. *)
-Definition part_node (n i : Z) := (frac (2 * (3 * i * i + 3 * i + 1)) (3 * n * (2 * i + 1)), frac (2 * i + 1) (2 * n * n))%Z.
-Definition upto (n : nat) := map Z.of_nat (seq 0 n).
-Definition spread (n : Z) (i : Z) := frac (6 * i * i + 6 * i + 1) (72 * (2 * i + 1) * n * n * n * n)%Z.
+Definition node_of_part (n i : Z) := (frac (2 * (3 * i * i + 3 * i + 1)) (3 * n * (2 * i + 1)), frac (2 * i + 1) (2 * n * n))%Z.
+Definition spread_of_part (n : Z) (i : Z) := frac (6 * i * i + 6 * i + 1) (72 * (2 * i + 1) * n * n * n * n)%Z.
 Definition make_constants (n m : nat) : constants :=
   let t := make_table p in let n' := Z.of_nat n in let m' := Z.of_nat m in let half := t_pi t / #2 in {|
-  c_table := t; c_nodes := map (part_node n') (upto n); c_spread := fold_right (fun i s => spread n' i + s) I.zero (upto n);
-  c_parts := map (fun i => (I.join (frac i m') (frac (i + 1) m'), frac (2 * i + 1) (2 * m' * m')))%Z (upto m);
+  c_table := t; c_nodes := map (node_of_part n') (upto 0 n); c_spread := fold_right (fun i s => spread_of_part n' i + s) I.zero (upto 0 n);
+  c_parts := map (fun i => (I.join (frac i m') (frac (i + 1) m'), frac (2 * i + 1) (2 * m' * m')))%Z (upto 0 m);
   c_half_pi := half; c_crude := half + I.join (frac (-1) 100) (frac 1 20);
   c_h0 := #8 / (#3 * I.sqrt p (#3) * (t_pi t * I.sqr p (t_pi t))) |}.
 
 Variable c : constants.
 Variable U rho : I.type.
-Let T := c_table c.
-Let C := enclosing p T U.
+Notation T := (c_table c).
+Notation C := (enclosing p T U).
 Notation plus := (plus C rho).
 
 Definition offset (s : sizes C) := let e2 := I.sqr p (values p U (z_ehat C s)) in
