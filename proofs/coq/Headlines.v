@@ -249,11 +249,9 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
-Theorem law : LawStatement.layer_defect ->
-  LawStatement.the_law /\ LawStatement.law_everywhere.
+Theorem law : LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
-Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer_defect ->
-  (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+Theorem theorem_A : forall (N : nat) (q : R), (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
   0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
 Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.

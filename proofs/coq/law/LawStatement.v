@@ -1,7 +1,6 @@
-(** Statement: the law for every mass ratio (Theorems A and B of law.md) and the conditions it is proved from (law.md,
-    "What the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an
-      orbit.
-    Definitions only.
+(** Statement: the law for every mass ratio (Theorems A and B of law.md), and conditions it is proved from (law.md, "What
+    the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit. They
+    are theorems, too: steps_hold, layer_holds and end_holds. Definitions only.
 
     growth, step_constant, law_constant == C, k0, c0
     cube, quarter           == (sqrt (n + 1) - sqrt n)^3; q^(-1/4)
