@@ -52,14 +52,12 @@ Definition encl U (x : jet) (s : slope) := inI (at_0 x) (zero s) /\ inI (slope_0
 
 Section Operations.
 Variable p : F.precision.
-Declare Scope interval_scope.
-Delimit Scope interval_scope with i.
-Bind Scope interval_scope with I.type.
 Notation "a + b" := (I.add p a b) : interval_scope.
 Notation "a - b" := (I.sub p a b) : interval_scope.
 Notation "a * b" := (I.mul p a b) : interval_scope.
 Notation "a / b" := (I.div p a b) : interval_scope.
 Notation "- a" := (I.neg a) : interval_scope.
+Delimit Scope interval_scope with i.
 
 Definition add x y := {| zero := zero x + zero y; first := first x + first y; rise := rise x + rise y;
   bend := bend x + bend y; whole := whole x + whole y |}%i.

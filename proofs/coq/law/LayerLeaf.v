@@ -1,6 +1,5 @@
 (** A leaf of the layer: steps of middle U <= 9/10 and half-length rho U, for all U and rho of two intervals.
 
-    n_excess               == what (1 - Rr)/y - 5/(3 pi) is: rho times the first and U times the second
     LayerLeaf.constants    == what is computed once: nodes, weights, their spread, the parts of the second order
     LayerLeaf.refined      == an enclosure of q = (Q - pi/2)/(rho^2 U)
     LayerLeaf.slope_leaf   == (C6) and (C7) hold on the leaf
@@ -9,16 +8,6 @@ From Coq Require Import ZArith List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Calculus LayerRule NodeRule.
 Import ListNotations.
-
-(** By L57 Rr = 1 - U (gamma + rho^2 turn) + U^2 bend, y = U v, v = 1 + U rise; Delta^2 = rho/half^2. *)
-Section Excess.
-Variable C : calculus.
-Notation "a + b" := (n_add C a b). Notation "a - b" := (n_sub C a b). Notation "a * b" := (n_mul C a b).
-Notation "a / b" := (n_div C a b). Notation "- a" := (n_neg C a). Notation "# z" := (n_Z C z) (at level 0, z at level 0).
-Definition n_excess (rho q bend rise v : num C) : num C * num C :=
-  let turn := (#12 * q - #1 / (#1 - rho)) / (#3 * n_pi C) in let gamma := #5 / (#3 * n_pi C) in
-  (rho * turn / v, - (bend + gamma * rise) / v).
-End Excess.
 
 Module LayerLeaf (F : FloatOps with Definition sensible_format := true).
 Module Export K := Calculus F.

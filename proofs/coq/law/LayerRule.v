@@ -12,19 +12,16 @@
     way_of, mean_of, both_of       == g1, mu, (mu - 2 (1 + rho) g1)/(1 - rho)
     ratio_of                       == Rr
     place_of                       == y/U
+    n_excess                       == what (1 - Rr)/y - 5/(3 pi) is: rho times the first and U times the second
     second_order                   == sinc H2 on a part of the way *)
 From Coq Require Import ZArith List.
 From Dumbbell Require Import Calculus.
 Import ListNotations.
 
-Section Rule.
+Section Formulas.
 Variable C : calculus.
 Notation num := (num C).
 Notation jet := (jet_of C).
-Declare Scope num_scope.
-Delimit Scope num_scope with n.
-Declare Scope jet_scope.
-Delimit Scope jet_scope with j.
 Notation "a + b" := (n_add C a b) : num_scope.
 Notation "a - b" := (n_sub C a b) : num_scope.
 Notation "a * b" := (n_mul C a b) : num_scope.
@@ -34,6 +31,8 @@ Notation "a + b" := (s_add C a b) : jet_scope.
 Notation "a - b" := (s_sub C a b) : jet_scope.
 Notation "a * b" := (s_mul C a b) : jet_scope.
 Notation "- a" := (s_neg C a) : jet_scope.
+Delimit Scope num_scope with n.
+Delimit Scope jet_scope with j.
 Notation "# z" := (n_Z C z) (at level 0, z at level 0).
 Notation sq := (n_sqr C).
 Notation pi := (n_pi C).
@@ -139,5 +138,9 @@ Definition n_k0 := (#1 / (#3 * n_sqrt C #3 * n_sqrt C (n_sqrt C #3) * n_sqrt C p
 Definition ratio_of (s : sizes) (m half : jet) := let h := s_tight C half in
   scale (s_tight C m * (h * sqr h) * inv (z_ehat s * root (z_ehat s)))%j (#1 / (#2 * n_k0))%n.
 Definition place_of (s : sizes) (half : jet) := (half * root (scale (z_ehat s) (n_sqrt C #3 * pi)%n))%j.
+(** By L57 Rr = 1 - U (gamma + rho^2 turn) + U^2 bend, y = U v, v = 1 + U rise; Delta^2 = rho/half^2. *)
+Definition n_excess (q bend rise v : num) : num * num :=
+  let turn := ((#12 * q - #1 / (#1 - rho)) / (#3 * pi))%n in let gamma := (#5 / (#3 * pi))%n in
+  ((rho * turn / v)%n, (- (bend + gamma * rise) / v)%n).
 Definition second_order (k : num) (X : jet) := (sinc k * s_H2 (line pi (- k)%n) X)%j.
-End Rule.
+End Formulas.
