@@ -2,8 +2,8 @@
 
     layer_holds == at every step of the layer D is between the bounds of L57 *)
 From Coq Require Import Reals ZArith Lra.
-From Dumbbell Require Import LawStatement Falls Ends LayerState LayerBounds LayerTree LayerPart1 LayerPart2 LayerPart3
-  LayerPart4
+From Dumbbell Require Import Quotients LawStatement Falls Ends LayerState LayerBounds LayerTree LayerPart1 LayerPart2
+  LayerPart3 LayerPart4
   LayerPart5 LayerPart6 LayerPart7 LayerPart8.
 Local Open Scope R_scope.
 

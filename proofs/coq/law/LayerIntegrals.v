@@ -16,7 +16,8 @@
     second_is              == (integral/u^2 - h/2)/U by these *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Tails LawStatement Ends Clock Midpoint Defect Sizes Calculus LayerRule NodeRule.
+From Dumbbell Require Import Quotients Tails LawStatement Ends Clock Midpoint Defect Sizes Calculus LayerRule
+  NodeRule.
 Local Open Scope R_scope.
 
 Definition wave_slope x := (x * cos x - sin x) / x^2.

@@ -8,7 +8,7 @@
     gain_is              == tau(u, J) - tau(u, Q) with a number between tau_JJ(u, J) and tau_JJ(u, Q) *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Ends Clock Midpoint Defect.
+From Dumbbell Require Import Quotients LawStatement Ends Clock Midpoint Defect.
 Local Open Scope R_scope.
 
 (** A continuous function attains its bounds. *)

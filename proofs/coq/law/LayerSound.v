@@ -8,8 +8,8 @@
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import LawStatement Falls Ends Sizes Cubes Clock Midpoint Defect Differences Comparison Slopes
-  Calculus LayerRule
+From Dumbbell Require Import Quotients LawStatement Falls Ends Sizes Cubes Clock Midpoint Defect Differences
+  Comparison Slopes Calculus LayerRule
   LayerRelated LayerValues LayerStart NodeRule LayerIntegrals LayerRests LayerPlace LayerState LayerLeaf.
 Import ListNotations.
 Local Open Scope R_scope.

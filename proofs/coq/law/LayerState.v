@@ -10,8 +10,8 @@
     defect_value      == D = D0(T) Rr *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Angles Falls Ends Sizes Cubes Clock Midpoint Defect Differences Comparison
-  Slopes Calculus
+From Dumbbell Require Import Quotients PiValue LawStatement Angles Falls Ends Sizes Cubes Clock Midpoint Defect
+  Differences Comparison Slopes Calculus
   LayerRule LayerValues NodeRule LayerIntegrals LayerRests LayerPlace.
 Local Open Scope R_scope.
 

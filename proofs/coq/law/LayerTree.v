@@ -10,7 +10,7 @@ A box has whole
     split_U, split_rho == they hold on a box if they do on both halves *)
 From Coq Require Import Reals ZArith Lra Bool List.
 From Interval Require Import Float.Basic Float.Sig Float.Primitive_ops Interval.Float.
-From Dumbbell Require Import LawStatement Ends LayerState LayerLeaf LayerSound LayerBounds.
+From Dumbbell Require Import Quotients LawStatement Ends LayerState LayerLeaf LayerSound LayerBounds.
 Local Open Scope R_scope.
 
 Module D := LayerBounds PrimitiveFloat.
