@@ -1,13 +1,15 @@
-(** Formulas that are written once, and computed twice: with the jets of Slopes.v, which are exact, and with slopes, which
+(** Formulas that are written once, and computed twice: with the jets of Slopes.v, which are exact, and with slopes,
+  which
     enclose them.
 
-    calculus              == numbers and jets with their operations; n_tail_sin, n_tail_cos are what Tails.v leaves of sine and
+    calculus              == numbers and jets with their operations;
+      n_tail_sin, n_tail_cos are what Tails.v leaves of sine and
                              cosine
     s_sinc, s_cos         == of k U, for a number k
     related               == two calculi go together: what is enclosed in the one by the other stays so
     exact                 == real numbers and jets at U
-    Calculus.enclosing    == intervals and slopes over the numbers U
-    Calculus.enclosing_related == they enclose *)
+    enclosing             == intervals and slopes over the numbers U
+    enclosing_related     == they enclose *)
 From Coq Require Import Reals ZArith Lra List.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Tails Enclosure Slopes.
@@ -78,9 +80,11 @@ Definition make_table := {| t_pi := I.pi p; t_one := I.fromZ p 1; t_unit := I.jo
 
 Definition brackets (t : table) (c : I.type * I.type * I.type) (x : I.type) :=
   let '(c1, c2, c3) := c in let y := I.sqr p x in let o := t_one t in
-  I.sub p o (I.mul p (I.mul p y c1) (I.sub p o (I.mul p (I.mul p y c2) (I.sub p o (I.mul p (I.mul p y c3) (t_unit t)))))).
+  I.sub p o (I.mul p (I.mul p y c1) (I.sub p o (I.mul p (I.mul p y c2) (I.sub p o (I.mul p (I.mul p y c3) (t_unit
+    t)))))).
 Definition enclosing (t : table) (U : I.type) : calculus := {|
-  num := I.type; jet_of := slope; n_Z := I.fromZ p; n_pi := t_pi t; n_add := I.add p; n_sub := I.sub p; n_mul := I.mul p;
+  num := I.type; jet_of := slope; n_Z := I.fromZ p; n_pi := t_pi t; n_add := I.add p; n_sub := I.sub p;
+    n_mul := I.mul p;
   n_div := I.div p; n_neg := I.neg; n_sqr := I.sqr p; n_sqrt := I.sqrt p; n_tail_sin := brackets t (t_sin t);
   n_tail_cos := brackets t (t_cos t); n_U := U;
   s_add := add p; s_sub := sub p; s_mul := mul p; s_inv := inv p; s_neg := neg; s_sqr := sqr p; s_root := root p;
@@ -96,17 +100,21 @@ Qed.
 Lemma share_in z : inI (/ IZR z) (share z).
 Proof. exact (proj1 (inv_in p _ _ (I.fromZ_correct p z))). Qed.
 Lemma brackets_in x i b (c1 c2 c3 : Z) : 0 <= b <= 1 -> inI x i ->
-  inI (1 - x^2 / IZR c1 * (1 - x^2 / IZR c2 * (1 - x^2 / IZR c3 * b))) (brackets make_table (share c1, share c2, share c3) i).
+  inI (1 - x^2 / IZR c1 * (1 - x^2 / IZR c2 * (1 - x^2 / IZR c3 * b))) (brackets make_table (share c1, share c2,
+    share c3) i).
 Proof.
   intros Hb Hx. assert (S := sqr_in p _ _ Hx). replace (x * x) with (x^2) in S by ring. unfold brackets, Rdiv.
   assert (O : inI 1 (t_one make_table)) by exact (I.fromZ_correct p 1).
-  assert (M : forall z, inI (x^2 * / IZR z) (I.mul p (I.sqr p i) (share z))) by (intros z; apply mul_in; [exact S | apply share_in]).
+  assert (M : forall z, inI (x^2 * / IZR z) (I.mul p (I.sqr p i) (share z))) by (intros z; apply mul_in;
+    [exact S | apply share_in]).
   repeat (apply sub_in; [exact O|]; apply mul_in; [apply M|]). now apply unit_in.
 Qed.
 Theorem enclosing_related U i : U <> 0 -> inI U i -> related (exact U) (enclosing make_table i) inI (encl U).
 Proof.
-  intros HU HI. constructor; cbn -[add sub mul inv neg sqr root scale shift line curve values tight brackets make_table];
-    try (intros; eauto 2 using (add_in p), (sub_in p), (mul_in p), (div_in p), neg_in, (sqr_in p), (sqrt_in p), (add_encl p U),
+  intros HU HI. constructor; cbn -[add sub mul inv neg sqr root scale shift line curve values tight brackets
+    make_table];
+    try (intros; eauto 2 using (add_in p), (sub_in p), (mul_in p), (div_in p), neg_in, (sqr_in p), (sqrt_in p),
+      (add_encl p U),
       (sub_encl p U), (mul_encl p U), (inv_encl p U), (neg_encl U), (sqr_encl p U), (root_encl p U), (scale_encl p U),
       (shift_encl p U), (line_encl p U), (curve_encl p U), (values_in p U), (tight_encl p U); fail).
   - intros z. exact (I.fromZ_correct p z).

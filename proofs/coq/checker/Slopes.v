@@ -1,5 +1,7 @@
-(** Intervals that know what a quantity does near U = 0 (src/verify/law/slope.hpp): what is divided by U, or by U^2, must
-    be small with U, and be seen to be. A quantity x is a jet of exact real numbers: its value at U, and a value x0 and a
+(** Intervals that know what a quantity does near U = 0 (src/verify/law/slope.hpp): what is divided by U, or by U^2,
+  must
+    be small with U, and be seen to be. A quantity x is a jet of exact real numbers: its value at U,
+      and a value x0 and a
     slope x1 at 0, which do not depend on U. So (x - x0)/U and ((x - x0)/U - x1)/U are numbers, and can be enclosed.
 
     jet, at_U, at_0, slope_0         == x, x0, x1
@@ -7,10 +9,11 @@
     jadd, jneg, jsub, jmul, jinv, jdiv, jsqr, jsqrt, jscale, jshift == sums and so on, by the rules of derivatives
     jline, jcurve                    == a + b U; a + c U^2, where c may depend on U
     jet_is                           == a jet is its three parts
-    Slopes.nan, nan_in, mul_nan      == an interval that encloses everything, as what is divided by 0 is
-    Slopes.slope, encl               == five intervals; they enclose x0, x1, (x - x0)/U, ((x - x0)/U - x1)/U and x
-    Slopes.add, ..., curve, add_encl, ..., curve_encl == the same operations on slopes; they enclose, whatever the numbers
-    Slopes.values, tight             == what is known of x; the same slope with all that is known in each part *)
+    nan, nan_in, mul_nan             == an interval that encloses everything, as what is divided by 0 is
+    slope, encl                      == five intervals; they enclose x0, x1, (x - x0)/U, ((x - x0)/U - x1)/U and x
+    add, neg, sub, mul, inv, div, sqr, root, scale, shift, line,
+      curve and add_encl to curve_encl == the same operations on slopes; they enclose, whatever the numbers
+    values, tight                    == what is known of x; the same slope with all that is known in each part *)
 From Coq Require Import Reals ZArith Lra.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Enclosure.
@@ -61,7 +64,8 @@ Delimit Scope interval_scope with i.
 
 Definition add x y := {| zero := zero x + zero y; first := first x + first y; rise := rise x + rise y;
   bend := bend x + bend y; whole := whole x + whole y |}%i.
-Definition neg x := {| zero := - zero x; first := - first x; rise := - rise x; bend := - bend x; whole := - whole x |}%i.
+Definition neg x := {| zero := - zero x; first := - first x; rise := - rise x; bend := - bend x;
+  whole := - whole x |}%i.
 Definition sub x y := {| zero := zero x - zero y; first := first x - first y; rise := rise x - rise y;
   bend := bend x - bend y; whole := whole x - whole y |}%i.
 Definition mul x y := {| zero := zero x * zero y; first := zero x * first y + first x * zero y;
@@ -81,7 +85,8 @@ Definition root x := if (above_zero (zero x) && above_zero (whole x))%bool then
   {| zero := z; first := f; rise := r; bend := (bend x - f * r) / s; whole := w |}%i else nothing.
 Definition scale x k := {| zero := zero x * k; first := first x * k; rise := rise x * k; bend := bend x * k;
   whole := whole x * k |}%i.
-Definition shift x k := {| zero := zero x + k; first := first x; rise := rise x; bend := bend x; whole := whole x + k |}%i.
+Definition shift x k := {| zero := zero x + k; first := first x; rise := rise x; bend := bend x;
+  whole := whole x + k |}%i.
 Definition line U a b := {| zero := a; first := b; rise := b; bend := I.zero; whole := a + U * b |}%i.
 Definition curve U a c := let r := (U * c)%i in
   {| zero := a; first := I.zero; rise := r; bend := c; whole := a + U * r |}%i.
@@ -108,13 +113,15 @@ Lemma sqrt_in x i : inI x i -> inI (sqrt x) (I.sqrt p i).
 Proof. exact (I.sqrt_correct p i (Xreal x)). Qed.
 Lemma above_zero_true x i : above_zero i = true -> inI x i -> 0 < x.
 Proof.
-  intros H Hx. unfold above_zero in H. assert (K := I.sign_strict_correct i). destruct (I.sign_strict i); try discriminate.
+  intros H Hx. unfold above_zero in H. assert (K := I.sign_strict_correct i). destruct (I.sign_strict i);
+    try discriminate.
   destruct (K _ Hx) as [_ K2]. exact K2.
 Qed.
 
 Variable U : R.
 Hypothesis HU : U <> 0.
-Ltac show e := match goal with |- inI ?x _ => replace x with e; [|try (unfold bend_of, rise_of; simpl; field; lra)] end.
+Ltac show e := match goal with |- inI ?x _ => replace x with e; [|try (unfold bend_of, rise_of; simpl; field;
+  lra)] end.
 Ltac parts := unfold encl; cbn [zero first rise bend whole]; split; [|split; [|split; [|split]]].
 
 Lemma add_encl x y a b : encl U x a -> encl U y b -> encl U (jadd x y) (add a b).
@@ -154,7 +161,8 @@ Proof.
     + apply nan_in, (I.neg_correct _ Xnan). destruct (mul_nan _ _ _ Z (W0 E')) as [_ N].
       exact (proj2 (mul_nan _ _ _ A3 N)).
     + show (- (rise_of U x * (/ at_0 x * / at_U x))). apply neg_in. now apply mul_in.
-  - assert (K : inI (slope_0 x * rise_of U x * / at_0 x - bend_of U x) (first a * rise a * I.inv p (zero a) - bend a)%i).
+  - assert (K : inI (slope_0 x * rise_of U x * / at_0 x - bend_of U x) (first a * rise a * I.inv p (zero a) - bend
+    a)%i).
     { apply sub_in; [|exact A4]. apply mul_in; [now apply mul_in | exact Z]. }
     destruct (Req_dec (at_0 x) 0) as [E|E]; [|destruct (Req_dec (at_U x) 0) as [E'|E']].
     + destruct (mul_nan _ _ _ W (Z0 E)) as [N _]. apply nan_in. exact (proj2 (mul_nan _ _ _ K N)).
@@ -166,7 +174,8 @@ Proof. intros. apply mul_encl; [assumption | now apply inv_encl]. Qed.
 Lemma sqr_encl x a : encl U x a -> encl U (jsqr x) (sqr a).
 Proof.
   intros [A1 [A2 [A3 [A4 A5]]]]. assert (S := add_in p _ _ _ _ A1 A5). parts; try (now apply sqr_in).
-  - replace (slope_0 (jsqr x)) with (2 * (at_0 x * slope_0 x)) by (unfold jsqr; cbn [slope_0]; ring). apply mul2_in. now apply mul_in.
+  - replace (slope_0 (jsqr x)) with (2 * (at_0 x * slope_0 x)) by (unfold jsqr; cbn [slope_0]; ring). apply mul2_in.
+    now apply mul_in.
   - show (rise_of U x * (at_0 x + at_U x)). now apply mul_in.
   - show (slope_0 x * rise_of U x + bend_of U x * (at_0 x + at_U x)). apply add_in; now apply mul_in.
 Qed.
@@ -185,11 +194,13 @@ Proof.
   parts; try assumption.
   - now apply div_in.
   - rewrite R. now apply div_in.
-  - show ((bend_of U x - slope_0 x / (sqrt (at_0 x) + sqrt (at_0 x)) * (rise_of U x / (sqrt (at_0 x) + sqrt (at_U x)))) /
+  - show ((bend_of U x - slope_0 x / (sqrt (at_0 x) + sqrt (at_0 x)) * (rise_of U x / (sqrt (at_0 x) + sqrt (at_U
+    x)))) /
       (sqrt (at_0 x) + sqrt (at_U x))).
     + apply div_in; [|exact S]. apply sub_in; [exact A4|]. apply mul_in; now apply div_in.
     + unfold bend_of at 2. rewrite R. unfold bend_of. set (s0 := sqrt (at_0 x)) in *. set (s := sqrt (at_U x)) in *.
-      simpl. fold s0. assert (G3 : rise_of U x = (s * s - s0 * s0) / U) by (unfold rise_of; rewrite E, E0; reflexivity).
+      simpl. fold s0. assert (G3 : rise_of U x = (s * s - s0 * s0) / U) by (unfold rise_of; rewrite E, E0;
+        reflexivity).
       rewrite G3. field. lra.
 Qed.
 Lemma scale_encl x k a i : encl U x a -> inI k i -> encl U (jscale x k) (scale a i).

@@ -2,7 +2,8 @@
 
     layer_holds == at every step of the layer D is between the bounds of L57 *)
 From Coq Require Import Reals ZArith Lra.
-From Dumbbell Require Import Quotients LawStatement Falls Ends LayerState LayerBounds LayerTree LayerPart1 LayerPart2 LayerPart3 LayerPart4
+From Dumbbell Require Import Quotients LawStatement Falls Ends LayerState LayerBounds LayerTree LayerPart1 LayerPart2
+  LayerPart3 LayerPart4
   LayerPart5 LayerPart6 LayerPart7 LayerPart8.
 Local Open Scope R_scope.
 
@@ -24,7 +25,8 @@ Theorem layer_holds eps u al u' al' : step eps u al u' al' -> eps <= 1/1000 ->
     comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)).
 Proof.
   intros HS He U HU Hd HQ HJ. apply whole_layer. split; [exact (conj HS (conj He (conj HU (conj Hd (conj HQ HJ)))))|].
-  destruct HS as [_ [B1 B2] _ _ _]. fold U in HU, Hd |- *. set (d := half u u') in *. assert (U0 : 0 < U) by (unfold U, middle; lra).
+  destruct HS as [_ [B1 B2] _ _ _]. fold U in HU, Hd |- *. set (d := half u u') in *.
+  assert (U0 : 0 < U) by (unfold U, middle; lra).
   assert (d0 : 0 < d) by (unfold d, half; lra). split; [split; lra|].
   assert (R : 0 <= d / U <= 1/5) by (split; [apply quotient_at_least | apply quotient_at_most]; lra). split; lra.
 Qed.

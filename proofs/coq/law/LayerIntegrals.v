@@ -1,4 +1,5 @@
-(** The integrals of the layer (L49 and L50 of law.md) by nodes: tau, tau_J and the step's part of tau_J, of which the rule
+(** The integrals of the layer (L49 and L50 of law.md) by nodes: tau, tau_J and the step's part of tau_J,
+  of which the rule
     of LayerRule.v knows a sum over nodes and the second derivative.
 
     kernel_derive          == the derivatives of sinc x g(pi - x)
@@ -10,11 +11,13 @@
     way_rest_is, step_rest_is == the integrals by their nodes
     H1, H11, H_derive      == the derivatives of H by F
     kernels_are            == the rule's kernels are G, H and their derivatives
-    part_rise              == (mean of sinc x g(pi - x) on a part - h)/U; a mean of (sinc x g(pi - x) - h)/U (part_rise_mean)
+    part_rise              == (mean of sinc x g(pi - x) on a part - h)/U;
+      a mean of (sinc x g(pi - x) - h)/U (part_rise_mean)
     second_is              == (integral/u^2 - h/2)/U by these *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Quotients Tails LawStatement Ends Clock Midpoint Defect Sizes Calculus LayerRule NodeRule.
+From Dumbbell Require Import Quotients Tails LawStatement Ends Clock Midpoint Defect Sizes Calculus LayerRule
+  NodeRule.
 Local Open Scope R_scope.
 
 Definition wave_slope x := (x * cos x - sin x) / x^2.
@@ -42,7 +45,8 @@ Proof.
   - assert (K := is_derive_minus _ _ x _ _ (is_derive_mult wave_slope (fun x => g (PI - x)) x _ _ S' G1 C)
       (is_derive_mult sinc (fun x => g1 (PI - x)) x _ _ S G2 C)).
     match type of K with is_derive _ _ ?v => replace (kernel2 x) with v; [exact K|] end.
-    unfold kernel2, n_second, n_tau, Hierarchy.minus, Hierarchy.plus, opp, mult. cbn -[sinc sin cos]. unfold wave_slope, sinc.
+    unfold kernel2, n_second, n_tau, Hierarchy.minus, Hierarchy.plus, opp, mult. cbn -[sinc sin cos].
+    unfold wave_slope, sinc.
     assert (E1 := sin_tail x). assert (E2 := cos_tail x). set (s := tail_sin x) in *. set (c := tail_cos x) in *.
     rewrite E1, E2. field. lra.
 Qed.
@@ -63,8 +67,10 @@ Lemma H_derive F Q : 0 < Q < F -> is_derive (fun F => H F Q) F (H1 F Q) /\ is_de
 Proof.
   intros HF. destruct (radicand F Q HF) as [A B]. unfold H, H1, H11, root.
   split; auto_derive; replace (F * F + - (Q * Q)) with (F * F - Q * Q) by ring;
-    [repeat split; try lra; repeat apply Rmult_integral_contrapositive_currified; lra | set (s := sqrt (F * F - Q * Q)) in *; field; lra
-    | repeat split; try lra; repeat apply Rmult_integral_contrapositive_currified; lra | set (s := sqrt (F * F - Q * Q)) in *; field; lra].
+    [repeat split; try lra; repeat apply Rmult_integral_contrapositive_currified;
+      lra | set (s := sqrt (F * F - Q * Q)) in *; field; lra
+    | repeat split; try lra; repeat apply Rmult_integral_contrapositive_currified;
+      lra | set (s := sqrt (F * F - Q * Q)) in *; field; lra].
 Qed.
 (** The rule's kernels are these. *)
 Lemma kernels_are U F Q : 0 < Q < F -> let C := exact U in
@@ -77,11 +83,13 @@ Proof.
 Qed.
 
 (** n parts of the way from 0 to u. *)
-Definition sum_of n (f : R -> R) u := fold_right (fun i s => f (u * part_node n i) * part_weight n i + s) 0 (upto 0 (Z.to_nat n)).
+Definition sum_of n (f : R -> R) u := fold_right (fun i s =>
+  f (u * part_node n i) * part_weight n i + s) 0 (upto 0 (Z.to_nat n)).
 Definition spread_of n := fold_right (fun i s => part_spread n i + s) 0 (upto 0 (Z.to_nat n)).
 Lemma spread_pos n : (0 < n)%Z -> 0 < spread_of n.
 Proof.
-  intros Hn. unfold spread_of. replace (Z.to_nat n) with (S (Z.to_nat (n - 1))) by lia. unfold upto. cbn [seq map fold_right].
+  intros Hn. unfold spread_of. replace (Z.to_nat n) with (S (Z.to_nat (n - 1))) by lia. unfold upto.
+  cbn [seq map fold_right].
   assert (P : forall i, (0 <= i)%Z -> 0 < part_spread n i).
   { intros i Hi. unfold part_spread. apply Rdiv_lt_0_compat; apply IZR_lt; nia. }
   assert (Q : forall k j, 0 <= fold_right (fun i s => part_spread n i + s) 0 (map Z.of_nat (seq j k))).
@@ -104,7 +112,8 @@ Let integral a b := RInt (fun x => sin x * g (PI - x)) a b.
 Definition way_rest n := (integral 0 u - u^2 * sum_of n f u) / (u^4 * spread_of n).
 Theorem way_rest_mean n : (0 < n)%Z -> mean (fun x => 0 < x < u) (kernel2 g g1 g2 U) (way_rest n).
 Proof.
-  intros Hn. assert (W : 0 < u^4 * spread_of n) by (apply Rmult_lt_0_compat; [now apply pow_lt | now apply spread_pos]).
+  intros Hn. assert (W : 0 < u^4 * spread_of n) by (apply Rmult_lt_0_compat;
+    [now apply pow_lt | now apply spread_pos]).
   assert (D1 : forall x, 0 < x < u -> is_derive f x (kernel1 g g1 x))
     by (intros x Hx; destruct (D x Hx); now apply (kernel_derive g g1 g2 U)).
   assert (D2 : forall x, 0 < x < u -> is_derive (kernel1 g g1) x (kernel2 g g1 g2 U x))
@@ -129,7 +138,8 @@ Definition step_rest := (integral (U - d) u - 2 * U * d * f m) / (d^3 * U * (1 /
 Lemma step_spread : 0 < d^3 * U * (1 / 3 - (d / U)^2 / 9).
 Proof.
   assert (Q : 0 < d / U < 1).
-  { split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with U; [lra|]. replace (d / U * U) with d by (field; lra). lra. }
+  { split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with U; [lra|]. replace (d / U * U) with d by (field;
+    lra). lra. }
   assert ((d / U)^2 < 1) by (replace ((d / U)^2) with (d / U * (d / U)) by ring; replace 1 with (1 * 1) by ring;
     apply Rmult_le_0_lt_compat; lra).
   apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt|]; lra | lra].
@@ -151,12 +161,15 @@ Proof.
   assert (E2 : ((u^4 - (U - d)^4) / 4 - m * ((u^3 - (U - d)^3) / 3)) / 2 = d^3 * U * (1 / 3 - (d / U)^2 / 9))
     by (rewrite Eu; unfold m; field; lra).
   unfold step_rest, integral. rewrite <- (kernel_integral g (U - d) u). fold f. split; intros l Hl.
-  - assert (K := node_rule f _ _ (U - d) u l m ltac:(unfold m; lra) ltac:(unfold m; lra) D1 D2 Hl J M). rewrite E, E2 in K.
+  - assert (K := node_rule f _ _ (U - d) u l m ltac:(unfold m; lra) ltac:(unfold m; lra) D1 D2 Hl J M).
+    rewrite E, E2 in K.
     apply quotient_at_least; [exact W | lra].
-  - assert (K := node_rule_above f _ _ (U - d) u l m ltac:(unfold m; lra) ltac:(unfold m; lra) D1 D2 Hl J M). rewrite E, E2 in K.
+  - assert (K := node_rule_above f _ _ (U - d) u l m ltac:(unfold m; lra) ltac:(unfold m; lra) D1 D2 Hl J M).
+    rewrite E, E2 in K.
     apply quotient_at_most; [exact W | lra].
 Qed.
-Lemma step_rest_is : integral (U - d) u / (d * U) = 2 * f m + U^2 * (step_rest * ((d / U)^2 * (1 / 3 - (d / U)^2 / 9))).
+Lemma step_rest_is : integral (U - d) u / (d * U) = 2 * f m + U^2 * (step_rest * ((d / U)^2 * (1 / 3 - (d / U)^2 /
+  9))).
 Proof.
   assert (W := step_spread). unfold step_rest. set (x := 1 / 3 - (d / U)^2 / 9) in *. field.
   assert (x <> 0) by (intros E; rewrite E, Rmult_0_r in W; lra). repeat split; lra.
@@ -202,7 +215,8 @@ Qed.
 Theorem second_is : (integral 0 u / u^2 - h / 2) / U =
   fold_right (fun i s => part_rise i * part_weight n i + s) 0 (upto 0 (Z.to_nat n)).
 Proof.
-  assert (N : 0 < IZR n) by (now apply IZR_lt). assert (C := chain (fun x => sin x * g (PI - x)) u n Hu Hn I (Z.to_nat n) 0 ltac:(lia)).
+  assert (N : 0 < IZR n) by (now apply IZR_lt). assert (C := chain (fun x =>
+    sin x * g (PI - x)) u n Hu Hn I (Z.to_nat n) 0 ltac:(lia)).
   cbn [Nat.add] in C.
   replace (u * cut n (Z.of_nat 0)) with 0 in C by (unfold cut; simpl; field; lra).
   replace (u * cut n (Z.of_nat (Z.to_nat n))) with u in C by (rewrite Z2Nat.id by lia; unfold cut; field; lra).

@@ -1,9 +1,9 @@
 (** A leaf of the layer: steps of middle U <= 9/10 and half-length rho U, for all U and rho of two intervals.
 
-    LayerLeaf.constants    == what is computed once: nodes, weights, their spread, the parts of the second order
-    LayerLeaf.refined      == an enclosure of q = (Q - pi/2)/(rho^2 U)
-    LayerLeaf.slope_leaf   == (C6) and (C7) hold on the leaf
-    LayerLeaf.beyond_leaf  == no step of the leaf has eps <= 1/1000 *)
+    constants              == what is computed once: nodes, weights, their spread, the parts of the second order
+    refined                == an enclosure of q = (Q - pi/2)/(rho^2 U)
+    slope_leaf             == (C6) and (C7) hold on the leaf
+    beyond_leaf            == no step of the leaf has eps <= 1/1000 *)
 From Coq Require Import ZArith List Bool.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Calculus LayerRule NodeRule.
@@ -14,17 +14,20 @@ Module Export K := Calculus F.
 Section Leaf.
 Variable p : F.precision.
 Notation "a + b" := (I.add p a b). Notation "a - b" := (I.sub p a b). Notation "a * b" := (I.mul p a b).
-Notation "a / b" := (I.div p a b). Notation "- a" := (I.neg a). Notation "# z" := (I.fromZ p z) (at level 0, z at level 0).
+Notation "a / b" := (I.div p a b). Notation "- a" := (I.neg a).
+Notation "# z" := (I.fromZ p z) (at level 0, z at level 0).
 Notation frac a b := (I.div p (I.fromZ p a) (I.fromZ p b)).
 
 Record constants := { c_table : table; c_nodes : list (I.type * I.type); c_spread : I.type;
   c_parts : list (I.type * I.type); c_half_pi : I.type; c_crude : I.type; c_h0 : I.type }.
 (** Of n equal parts of [0, 1]: the mean node of each, its weight, and n^4 times what is left of t^2/2. *)
-Definition node_of_part (n i : Z) := (frac (2 * (3 * i * i + 3 * i + 1)) (3 * n * (2 * i + 1)), frac (2 * i + 1) (2 * n * n))%Z.
+Definition node_of_part (n i : Z) := (frac (2 * (3 * i * i + 3 * i + 1)) (3 * n * (2 * i + 1)),
+  frac (2 * i + 1) (2 * n * n))%Z.
 Definition spread_of_part (n : Z) (i : Z) := frac (6 * i * i + 6 * i + 1) (72 * (2 * i + 1) * n * n * n * n)%Z.
 Definition make_constants (n m : nat) : constants :=
   let t := make_table p in let n' := Z.of_nat n in let m' := Z.of_nat m in let half := t_pi t / #2 in {|
-  c_table := t; c_nodes := map (node_of_part n') (upto 0 n); c_spread := fold_right (fun i s => spread_of_part n' i + s) I.zero (upto 0 n);
+  c_table := t; c_nodes := map (node_of_part n') (upto 0 n); c_spread := fold_right (fun i s =>
+    spread_of_part n' i + s) I.zero (upto 0 n);
   c_parts := map (fun i => (I.join (frac i m') (frac (i + 1) m'), frac (2 * i + 1) (2 * m' * m')))%Z (upto 0 m);
   c_half_pi := half; c_crude := half + I.join (frac (-1) 100) (frac 1 20);
   c_h0 := #8 / (#3 * I.sqrt p (#3) * (t_pi t * I.sqr p (t_pi t))) |}.
@@ -39,7 +42,8 @@ Definition offset (s : sizes C) := let e2 := I.sqr p (values p U (z_ehat C s)) i
   I.join (- (frac 53 10 * e2 / (plus * I.sqr p plus))) (U * I.sqr p U * e2 * frac 1 4) - values p U (z_first C s).
 Definition crude := sizes_of C rho (line p U (c_crude c) I.zero).
 Definition sizes_at q := sizes_of C rho (line p U (c_half_pi c) (I.sqr p rho * q)).
-Fixpoint refined (n : nat) (q : I.type) := match n with O => q | S n => refined n (I.meet q (offset (sizes_at q))) end.
+Fixpoint refined (n : nat) (q : I.type) := match n with O => q | S n =>
+  refined n (I.meet q (offset (sizes_at q))) end.
 
 Definition both_anchored (Q x : slope) : slope :=
   let R := shift p (neg (sqr p Q)) (I.sqr p (t_pi T)) in let r3 := inv p (mul p R (root p R)) in

@@ -1,4 +1,5 @@
-(** What else the rule of the layer does not compute: the moments, what Taylor leaves of E1, and tau to the second order in
+(** What else the rule of the layer does not compute: the moments, what Taylor leaves of E1,
+  and tau to the second order in
     J (L49 of law.md).
 
     moment_rest_cos, moment_rest_sin == (I2 - 1/3)/U^2 and (J1 - 1/3)/U^2
@@ -63,7 +64,8 @@ Proof.
   assert (E1 : (d / U)^2 / 5 * U^2 = d^2 / 5) by (rewrite <- E; field; lra). unfold weight4, weight3.
   split; (split; [apply quotient_at_least | apply quotient_at_most]); try exact U2; rewrite ?E', ?E1; assumption.
 Qed.
-Theorem middle_rest_between : exists a b a' b', (forall z, z = a \/ z = b \/ z = a' \/ z = b' -> F - d <= z <= F + d) /\
+Theorem middle_rest_between : exists a b a' b', (forall z, z = a \/ z = b \/ z = a' \/ z = b' ->
+  F - d <= z <= F + d) /\
   sin U * (weight4 * G4 a Q / 12) - cos U * (weight3 * G3 b Q / 3) <= middle_rest <=
   sin U * (weight4 * G4 a' Q / 12) - cos U * (weight3 * G3 b' Q / 3).
 Proof.
@@ -79,7 +81,8 @@ Proof.
   assert (E : middle_rest * (U^2 * d^3) = m - sin U * G2 F Q * moment_cos d 2 + 2 * cos U * G1 F Q * moment_sin d 1)
     by (unfold middle_rest; fold m; field; lra).
   assert (K : forall x y, (sin U * (weight4 * x / 12) - cos U * (weight3 * y / 3)) * (U^2 * d^3) =
-    sin U * (x * moment_cos d 4 / 12) - cos U * (y * moment_sin d 3 / 3)) by (intros; unfold weight4, weight3; field; lra).
+    sin U * (x * moment_cos d 4 / 12) - cos U * (y * moment_sin d 3 / 3)) by (intros; unfold weight4, weight3; field;
+      lra).
   split; apply Rmult_le_reg_r with (1 := W); rewrite E, K; lra.
 Qed.
 End Middle.
@@ -90,7 +93,8 @@ Proof.
   intros Hu HJ HQ. assert (K := gain_between u J Q ltac:(lra) HJ HQ). assert (u2 : 0 < u^2) by (apply pow_lt; lra).
   destruct (Req_dec J Q) as [->|N].
   - exists (tau_JJ u Q / u^2). split; [field; lra | lra].
-  - assert (A : 0 < (J - Q)^2 / 2) by (assert (0 < (Q - J)^2) by (apply pow_lt; lra); replace ((J - Q)^2) with ((Q - J)^2) by ring; lra).
+  - assert (A : 0 < (J - Q)^2 / 2) by (assert (0 < (Q - J)^2) by (apply pow_lt; lra);
+    replace ((J - Q)^2) with ((Q - J)^2) by ring; lra).
     set (w := (J - Q)^2 / 2) in *. exists ((tau u J - tau u Q - (J - Q) * tau_J u Q) / w / u^2). split; [field; lra|].
     unfold Rdiv at 1 4. split; (apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat|]).
     + apply quotient_at_least; lra.

@@ -118,13 +118,15 @@ Definition J_of (s : sizes) := (z_Q s + line #0 (sq rho) * z_first s)%j.
 Definition k_of (s : sizes) (rest : num) :=
   scale ((sum_nodes (node_G (J_of s)) nodes + curve #0 (sq plus * rest)%n) * inv (z_ehat s))%j #2.
 Definition below_of (k : jet) := shift (scale (shift k #(-1)) (sq (plus / minus)%n)) #1.
-Definition half_of (k : jet) := shift (scale (scale (shift (root k) #(-1)) plus + scale (shift (root (below_of k)) #(-1)) minus)%j
+Definition half_of (k :
+  jet) := shift (scale (scale (shift (root k) #(-1)) plus + scale (shift (root (below_of k)) #(-1)) minus)%j
   (#1 / #2)%n) #1.
 Definition way_of Q (rest : num) := (sum_nodes (node_H Q) nodes + curve #0 (sq plus * rest)%n)%j.
 Definition mean_of Q (rest : num) := (scale (node_H Q (#1 + sq rho / #3)%n) #2 + curve #0 rest)%j.
 Definition both_of (mean way : jet) := scale (mean - scale way (plus * #2)%n)%j (#1 / minus)%n.
 
-(** m of L49: e2, e1, e0 are the rests of the moments and of E1; h, h' the second derivatives of tau by J, over u^2. *)
+(** m of L49: e2, e1, e0 are the rests of the moments and of E1; h, h' the second derivatives of tau by J, over u^2.
+*)
 Definition first_part (s : sizes) e2 e1 e0 : jet :=
   let F := z_F s in let Q := z_Q s in let R := (sqr F - sqr Q)%j in let r1 := inv (root R) in let f := inv F in
   let r2 := inv R in let r3 := (r1 * r2)%j in let r5 := (r3 * r2)%j in
@@ -133,7 +135,8 @@ Definition first_part (s : sizes) e2 e1 e0 : jet :=
   (z_sin_U s * (G2 * curve (#1 / #3)%n e2) - scale (z_cos_U s * (G1 * curve (#1 / #3)%n e1)) #2 + curve #0 e0)%j.
 Definition second_part (s : sizes) (mean both h h' : jet) : jet :=
   (line #0 #1 * s_tight C mean * s_tight C (z_apart s) - scale (s_tight C (z_change s) * s_tight C both) (#1 / #2)%n
-   + line #0 rho * scale (scale (sqr (z_first s) * h) (sq plus) - scale (sqr (z_last s) * h') (sq minus)) (#1 / #2)%n)%j.
+   + line #0 rho * scale (scale (sqr (z_first s) * h) (sq plus) - scale (sqr (z_last s) * h') (sq minus)) (#1 /
+     #2)%n)%j.
 Definition n_k0 := (#1 / (#3 * n_sqrt C #3 * n_sqrt C (n_sqrt C #3) * n_sqrt C pi))%n.
 Definition ratio_of (s : sizes) (m half : jet) := let h := s_tight C half in
   scale (s_tight C m * (h * sqr h) * inv (z_ehat s * root (z_ehat s)))%j (#1 / (#2 * n_k0))%n.

@@ -1,21 +1,23 @@
 (** What the checker says of a leaf of the layer is true (the conditions (C6) and (C7) of law.md).
 
-    LayerSound.mean_in          == a mean of what an interval encloses is enclosed
-    LayerSound.constants_in     == the constants enclose what they stand for
-    LayerSound.offset_in        == q is in its enclosure
-    LayerSound.slope_leaf_sound == (C6) and (C7) hold at every step of a leaf
-    LayerSound.beyond_leaf_sound == a leaf beyond 1/1000 has no step *)
+    mean_in                     == a mean of what an interval encloses is enclosed
+    constants_in                == the constants enclose what they stand for
+    offset_in                   == q is in its enclosure
+    sizes_in, refined_in        == the rule's sizes and q are enclosed
+    beyond_leaf_sound           == a leaf beyond 1/1000 has no step *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Quotients LawStatement Falls Ends Sizes Cubes Clock Midpoint Defect Differences Comparison Slopes Calculus LayerRule
+From Dumbbell Require Import Quotients LawStatement Falls Ends Sizes Cubes Clock Midpoint Defect Differences
+  Comparison Slopes Calculus LayerRule
   LayerRelated LayerValues LayerStart NodeRule LayerIntegrals LayerRests LayerPlace LayerState LayerLeaf.
 Import ListNotations.
 Local Open Scope R_scope.
 
 Lemma share_of w A k : 0 < A -> 0 < k -> A * (1 - k) <= w <= A -> exists t, 0 <= t <= 1 /\ w = A * (1 - k * t).
 Proof.
-  intros HA Hk H. exists ((A - w) / (A * k)). assert (W : 0 < A * k) by (now apply Rmult_lt_0_compat). split; [|field; lra].
+  intros HA Hk H. exists ((A - w) / (A * k)). assert (W : 0 < A * k) by (now apply Rmult_lt_0_compat). split; [|field;
+    lra].
   split; [apply quotient_at_least | apply quotient_at_most]; lra.
 Qed.
 Definition h0 := 8 / (3 * sqrt 3 * PI^3).
@@ -32,7 +34,8 @@ Module Export M := LayerLeaf F.
 Lemma mean_in D g v i : mean D g v -> (forall x, D x -> inI (g x) i) -> inI v i.
 Proof.
   intros [L1 L2] H. unfold inI in *. destruct (I.convert i) as [|lo up]; [exact Logic.I|]. simpl in *.
-  split; [destruct lo as [|l]; [exact Logic.I | apply L1] | destruct up as [|l]; [exact Logic.I | apply L2]]; intros x Hx; now destruct (H x Hx).
+  split; [destruct lo as [|l]; [exact Logic.I | apply L1] | destruct up as [|l]; [exact Logic.I | apply L2]];
+    intros x Hx; now destruct (H x Hx).
 Qed.
 Lemma between_in x y z i : inI x i -> inI y i -> x <= z <= y -> inI z i.
 Proof. intros Hx Hy Hz. exact (contains_connected _ x y Hx Hy z Hz). Qed.
@@ -65,9 +68,11 @@ Proof.
   assert (HP : inI (PI / 2) (c_half_pi c)) by (apply div_in; [apply pi_in | apply Z_in]).
   split; [|split; [|split; [exact HP|split]]].
   - unfold c, make_constants, nodes_of. cbn [c_nodes]. change (upto 0 (Z.to_nat 12)) with (upto 0 12).
-    generalize (upto 0 12). intros l. induction l as [|i l IH]; cbn [map]; constructor; [|exact IH]. split; apply frac_in.
+    generalize (upto 0 12). intros l. induction l as [|i l IH]; cbn [map]; constructor; [|exact IH]. split;
+      apply frac_in.
   - unfold c, make_constants, spread_of. cbn [c_spread]. change (upto 0 (Z.to_nat 12)) with (upto 0 12).
-    generalize (upto 0 12). intros l. induction l as [|i l IH]; cbn [fold_right]; [apply zero_in | apply add_in; [apply frac_in | exact IH]].
+    generalize (upto 0 12). intros l. induction l as [|i l IH]; cbn [fold_right]; [apply zero_in | apply add_in;
+      [apply frac_in | exact IH]].
   - intros Q HQ. replace Q with (PI / 2 + (Q - PI / 2)) by ring. apply add_in; [exact HP|].
     apply (join_in (-1 / 100) (1 / 20)); [apply frac_in | apply frac_in | lra].
   - unfold h0. replace (PI^3) with (PI * (PI * PI)) by ring. unfold c, make_constants. cbn [c_h0].
@@ -95,13 +100,18 @@ Proof. facts (layer_facts _ _ _ _ _ HL). fold U in F_U. lra. Qed.
 Lemma Hrel : related C C' inI (encl U).
 Proof. apply enclosing_related; [exact U_not_0 | exact HU]. Qed.
 
-Lemma offset_in Qj s' : at_U Qj = Q -> sizes_related C C' (encl U) (sizes_of C rho Qj) s' -> inI q (offset p c Ui ri s').
+Lemma offset_in Qj s' : at_U Qj = Q -> sizes_related C C' (encl U) (sizes_of C rho Qj) s' ->
+  inI q (offset p c Ui ri s').
 Proof.
-  intros HQj Hs. facts (layer_facts _ _ _ _ _ HL). fold U d in F_U, F_d, F_rho, F_rU, F_uU. fold rho in F_rho, F_rU. fold U d e in F_e.
-  destruct (sizes_are _ _ _ _ _ HL Qj HQj) as (_ & _ & _ & _ & Ee & _ & Ef & _). destruct (falls_are _ _ _ _ _ HL) as [Fa _].
+  intros HQj Hs. facts (layer_facts _ _ _ _ _ HL). fold U d in F_U, F_d, F_rho, F_rU, F_uU. fold rho in F_rho, F_rU.
+  fold U d e in F_e.
+  destruct (sizes_are _ _ _ _ _ HL Qj HQj) as (_ & _ & _ & _ & Ee & _ & Ef & _).
+  destruct (falls_are _ _ _ _ _ HL) as [Fa _].
   fold U d rho Q J in Fa, Ee, Ef. fold C e in Ee. fold C in Ef.
-  destruct Hs as (_ & _ & _ & _ & He & _ & Hf & _). assert (Ve := values_in p U U_not_0 _ _ _ HU He). assert (Vf := values_in p U U_not_0 _ _ _ HU Hf).
-  rewrite Ee in Ve. rewrite Ef in Vf. set (f := size_after eps u u' (al + beta eps u) + rho * size eps u u' (al + beta eps u)) in *.
+  destruct Hs as (_ & _ & _ & _ & He & _ & Hf & _). assert (Ve := values_in p U U_not_0 _ _ _ HU He).
+  assert (Vf := values_in p U U_not_0 _ _ _ HU Hf).
+  rewrite Ee in Ve. rewrite Ef in Vf. set (f := size_after eps u u' (al + beta eps u) + rho * size eps u u' (al + beta
+    eps u)) in *.
   destruct HL as (_ & _ & _ & _ & _ & HJ). fold J in HJ.
   assert (Eeps : eps = rho * U * U * e) by (unfold e; rewrite <- F_rU; field; lra).
   assert (W : 0 < rho * rho * U) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
@@ -114,7 +124,8 @@ Proof.
   - apply neg_in, div_in; [apply mul_in; [apply frac_in | exact E2] | apply mul_in; [exact Hp | now apply sqr_in]].
   - apply mul_in; [apply mul_in; [apply mul_in; [exact HU | now apply sqr_in] | exact E2] | apply frac_in].
   - split; [apply quotient_at_least | apply quotient_at_most]; try exact W.
-    + replace (- (53 / 10 * (e * e) / ((1 + rho) * ((1 + rho) * (1 + rho)))) * (rho * rho * U)) with (- (53 / 10 * eps^2 / u^3))
+    + replace (- (53 / 10 * (e * e) / ((1 + rho) * ((1 + rho) * (1 + rho)))) * (rho * rho * U))
+      with (- (53 / 10 * eps^2 / u^3))
         by (rewrite Eeps, Eu; field; repeat split; lra). lra.
     + replace (U * (U * U) * (e * e) * (1 / 4) * (rho * rho * U)) with (eps^2 / 4) by (rewrite Eeps; field). lra.
 Qed.
@@ -143,10 +154,13 @@ Proof.
 Qed.
 Theorem beyond_leaf_sound : beyond_leaf p c Ui ri = true -> False.
 Proof.
-  intros H. facts (layer_facts _ _ _ _ _ HL). fold U d in F_U, F_rho, F_rU, F_e. fold rho in F_rho, F_rU. fold e in F_e.
+  intros H. facts (layer_facts _ _ _ _ _ HL). fold U d in F_U, F_rho, F_rU, F_e. fold rho in F_rho, F_rU.
+  fold e in F_e.
   destruct crude_related as (_ & _ & _ & _ & He & _). assert (Ve := values_in p U U_not_0 _ _ _ HU He).
-  destruct (sizes_are _ _ _ _ _ HL Qc at_crude) as (_ & _ & _ & _ & Ee & _). fold U d rho C in Ee. fold e in Ee. rewrite Ee in Ve.
-  assert (K : inI (rho * (U * U) * e - 1 / 1000) (I.sub p (I.mul p (I.mul p ri (I.sqr p Ui)) (values p Ui (z_ehat C' (crude p c Ui ri)))) (frac 1 1000)))
+  destruct (sizes_are _ _ _ _ _ HL Qc at_crude) as (_ & _ & _ & _ & Ee & _). fold U d rho C in Ee. fold e in Ee.
+  rewrite Ee in Ve.
+  assert (K : inI (rho * (U * U) * e - 1 / 1000) (I.sub p (I.mul p (I.mul p ri (I.sqr p Ui)) (values p Ui (z_ehat C'
+    (crude p c Ui ri)))) (frac 1 1000)))
     by (apply sub_in; [apply mul_in; [apply mul_in; [exact Hr | now apply sqr_in] | exact Ve] | apply frac_in]).
   assert (X := above_zero_true _ _ H K). destruct HL as (_ & Hs & _).
   assert (rho * (U * U) * e = eps) by (unfold e; rewrite <- F_rU; field; lra). lra.

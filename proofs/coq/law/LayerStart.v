@@ -1,9 +1,10 @@
-(** L50 (b) and L57 (b) of law.md: value and slope at U = 0 of what the rule of LayerRule.v computes, for every rho and
+(** L50 (b) and L57 (b) of law.md: value and slope at U = 0 of what the rule of LayerRule.v computes,
+  for every rho and
     every q, where Q = pi/2 + rho^2 U q. Only the sum over the nodes is known of an integral, and that is enough.
 
     starts          == an exact jet's value and slope at 0
     H0, e0          == H and G at U = 0
-    half_sum        == the nodes' weights sum up to 1/2, and with the nodes to 1/3
+    node_sum        == of the weights, and with the nodes: 1/2 and 1/3
     start_sizes     == of the sizes of a step
     start_both, start_of_H == of (mu - 2 (1 + rho) g1)/(1 - rho), from the integrals, and by L50
     start_half      == B/(2 eps^)^(1/2) starts with 1
@@ -23,7 +24,8 @@ Qed.
 Lemma sqrt34 : sqrt (3/4) = sqrt 3 / 2.
 Proof. rewrite sqrt_div_alt by lra. replace 4 with (2 * 2) by ring. now rewrite sqrt_square by lra. Qed.
 Ltac use := cbn; repeat match goal with
-  | K : starts ?x _ _ |- context [at_0 ?x] => rewrite (proj1 K) | K : starts ?x _ _ |- context [slope_0 ?x] => rewrite (proj2 K) end.
+  | K : starts ?x _ _ |- context [at_0 ?x] => rewrite (proj1 K) | K : starts ?x _ _ |- context [slope_0 ?x] =>
+    rewrite (proj2 K) end.
 Ltac by_field T := field_simplify_eq; [ring [T] | repeat split; try assumption; lra].
 
 (** A kernel's radicand F^2 - Q^2, where F = pi - k U. *)
@@ -31,9 +33,11 @@ Lemma start_radicand U k J j : starts J (PI / 2) j ->
   let R := jsub (jsqr (jline U PI (- k))) (jsqr J) in starts R (3 * PI^2 / 4) (- PI * (2 * k + j)) /\
   starts (jsqrt R) (sqrt 3 * PI / 2) (- (2 * k + j) / sqrt 3).
 Proof.
-  intros K R. destruct root3 as [T [T0 [T1 P]]]. assert (KR : starts R (3 * PI^2 / 4) (- PI * (2 * k + j))) by (split; unfold R; use; field).
+  intros K R. destruct root3 as [T [T0 [T1 P]]]. assert (KR : starts R (3 * PI^2 / 4) (- PI * (2 * k + j))) by (split;
+    unfold R; use; field).
   split; [exact KR|]. assert (E : sqrt (3 * PI^2 / 4) = sqrt 3 * PI / 2).
-  { replace (3 * PI^2 / 4) with (3/4 * (PI * PI)) by field. rewrite sqrt_mult_alt, sqrt_square, sqrt34 by lra. field. }
+  { replace (3 * PI^2 / 4) with (3/4 * (PI * PI)) by field. rewrite sqrt_mult_alt, sqrt_square, sqrt34 by lra. field.
+    }
   clearbody R. split; use; rewrite ?E; [reflexivity | field; lra].
 Qed.
 
@@ -41,7 +45,6 @@ Section Start.
 Variables U rho q : R.
 Hypothesis Hrho : 0 < rho <= 1/5.
 Hypothesis HU : 0 < U.
-Hypothesis Hd : rho * U < U.
 Let chi := rho * rho * q.
 Let C := exact U.
 Let Q := jline U (PI / 2) chi.
@@ -112,7 +115,8 @@ Proof.
   { assert (E : sqrt (- (1/2 * (1/2)) + 1) = sqrt 3 / 2) by (rewrite <- sqrt34; f_equal; field).
     split; use; rewrite E; [reflexivity | field; lra]. }
   clearbody sine.
-  take ehat. assert (Eh : starts ehat e0 ((7 + 8 * chi) / (3 * sqrt 3 * PI^2))) by (split; use; unfold e0; by_field T).
+  take ehat. assert (Eh : starts ehat e0 ((7 + 8 * chi) / (3 * sqrt 3 * PI^2))) by (split; use; unfold e0;
+    by_field T).
   clearbody ehat.
   take b. assert (Eb : at_0 b = e0 / (1 + rho)) by (use; field; lra). clearbody b.
   take b'. assert (Eb' : at_0 b' = e0 / (1 - rho)) by (use; field; lra). clearbody b'.
@@ -120,8 +124,10 @@ Proof.
   take c'. assert (Ec' : starts c' 1 0) by (apply (flat_root (jmul dj b')); use; ring). clearbody c'.
   take waves. assert (Wv : at_0 waves = 1 - rho * rho) by (use; ring). clearbody waves.
   take doubles. assert (Db : at_0 doubles = 4 * e0) by (use; ring). clearbody doubles.
-  take kc. assert (Kc : at_0 kc = 2 * e0 * e0 / ((1 - rho * rho) * (1 - rho * rho))) by (use; rewrite Db, Wv; field; lra). clearbody kc.
-  take ks. assert (Ks : at_0 ks = 2 * e0 / (1 - rho * rho)) by (use; rewrite Db, Wv; field; repeat split; lra). clearbody ks.
+  take kc. assert (Kc : at_0 kc = 2 * e0 * e0 / ((1 - rho * rho) * (1 - rho * rho))) by (use; rewrite Db, Wv; field;
+    lra). clearbody kc.
+  take ks. assert (Ks : at_0 ks = 2 * e0 / (1 - rho * rho)) by (use; rewrite Db, Wv; field; repeat split; lra).
+  clearbody ks.
   take rt. assert (Rt : starts rt 1 0) by (split; use; field). clearbody rt.
   take rUn. clearbody rUn.
   take lost. assert (Ls : starts lost 0 0) by (split; reflexivity). clearbody lost.
@@ -155,16 +161,19 @@ Lemma start_way e : starts (way_of C rho nodes Q e) (H0 / 2) (H0 * (chi + 1 + rh
 Proof.
   destruct root3 as [T [T0 [T1 P]]].
   assert (K := start_sum (node_H C Q) H0 (2 * chi * H0 / PI) (3 * H0 / PI)).
-  assert (K' : starts (sum_nodes C rho (node_H C Q) nodes) (H0 / 2) (2 * chi * H0 / PI / 2 + 3 * H0 / PI * (1 + rho) / 3)).
+  assert (K' : starts (sum_nodes C rho (node_H C Q) nodes) (H0 / 2) (2 * chi * H0 / PI / 2 + 3 * H0 / PI * (1 + rho) /
+    3)).
   { apply K. intros k. assert (X := start_node_H Q chi k ltac:(split; reflexivity)).
     destruct X as [X1 X2]. split; [exact X1 | rewrite X2; field; lra]. }
   unfold way_of. set (x := sum_nodes _ _ _ _) in *. clearbody x. split; use; field; lra.
 Qed.
 (** What cancels in the integrals. *)
-Theorem start_both e e' : starts (both_of C rho (mean_of C rho Q e) (way_of C rho nodes Q e')) H0 (H0 * (2 * chi + 4) / PI).
+Theorem start_both e e' :
+  starts (both_of C rho (mean_of C rho Q e) (way_of C rho nodes Q e')) H0 (H0 * (2 * chi + 4) / PI).
 Proof.
   destruct root3 as [T [T0 [T1 P]]]. destruct rho_facts as [m0 [p0 [r0 r2]]].
-  assert (M := start_mean e). assert (W := start_way e'). set (x := mean_of _ _ _ _) in *. set (y := way_of _ _ _ _ _) in *.
+  assert (M := start_mean e). assert (W := start_way e'). set (x := mean_of _ _ _ _) in *.
+  set (y := way_of _ _ _ _ _) in *.
   clearbody x y. unfold both_of, plus, minus. split; use; field; repeat split; lra.
 Qed.
 Definition R3 := let R := jshift (jneg (jsqr Q)) (PI * PI) in jinv (jmul R (jsqrt R)).
@@ -174,7 +183,8 @@ Proof.
   destruct root3 as [T [T0 [T1 P]]]. unfold turn, R3. set (R := jshift (jneg (jsqr Q)) (PI * PI)).
   assert (KR : starts R (3 * PI^2 / 4) (- PI * chi)) by (split; unfold R; use; field). clearbody R.
   assert (E : sqrt (3 * PI^2 / 4) = sqrt 3 * PI / 2).
-  { replace (3 * PI^2 / 4) with (3/4 * (PI * PI)) by field. rewrite sqrt_mult_alt, sqrt_square, sqrt34 by lra. field. }
+  { replace (3 * PI^2 / 4) with (3/4 * (PI * PI)) by field. rewrite sqrt_mult_alt, sqrt_square, sqrt34 by lra. field.
+    }
   set (S := jsqrt R). assert (KS : starts S (sqrt 3 * PI / 2) (- chi / sqrt 3)).
   { unfold S. split; use; rewrite ?E; [reflexivity | field; lra]. }
   clearbody S. split; [split|]; use; unfold H0; by_field T.
@@ -189,8 +199,10 @@ Proof.
   destruct Hs as (_ & _ & _ & EQ & Eh & _ & A & _ & _).
   assert (KJ : starts (J_of C rho s) (PI / 2) (chi - rho * rho / (2 * (1 + rho)))).
   { unfold J_of. rewrite EQ. split; use; rewrite ?A; field; lra. }
-  assert (K := start_sum (node_G C (J_of C rho s)) e0 ((chi - rho * rho / (2 * (1 + rho))) * H0) (7 / (3 * sqrt 3 * PI^2))).
-  assert (K' := K ltac:(intros k; destruct (start_node_G _ _ k KJ) as [X1 X2]; split; [exact X1 | rewrite X2; field; lra])).
+  assert (K := start_sum (node_G C (J_of C rho s)) e0 ((chi - rho * rho / (2 * (1 + rho))) * H0) (7 / (3 * sqrt 3 *
+    PI^2))).
+  assert (K' := K ltac:(intros k; destruct (start_node_G _ _ k KJ) as [X1 X2]; split; [exact X1 | rewrite X2; field;
+    lra])).
   unfold k_of. set (x := sum_nodes _ _ _ _) in *. clearbody x. unfold kappa. split; use; unfold e0, H0; by_field T.
 Qed.
 Theorem start_half e : starts (half_of C rho (k_of C rho nodes s e)) 1 (kappa * (1 + rho) / (2 * (1 - rho))).
@@ -206,12 +218,15 @@ Proof.
   set (x' := jsqrt x) in *. set (y' := jsqrt y) in *. clearbody x' y'. split; use; field; lra.
 Qed.
 
-Lemma start_first_part a b c : starts (first_part C s a b c) (14 / (9 * sqrt 3 * PI^2)) ((26 + 16 * chi) / (3 * sqrt 3 * PI^3)).
+Lemma start_first_part a b c :
+  starts (first_part C s a b c) (14 / (9 * sqrt 3 * PI^2)) ((26 + 16 * chi) / (3 * sqrt 3 * PI^3)).
 Proof.
   destruct root3 as [T [T0 [T1 P]]]. destruct Hs as (Ss & Sc & EF & EQ & _).
   assert (K := start_radicand U 1 Q chi ltac:(split; reflexivity)). cbv zeta in K.
-  unfold first_part. rewrite EF, EQ. cbv zeta. change (s_sub C (s_sqr C (jline U PI (-1))) (s_sqr C Q)) with (jsub (jsqr (jline U PI (- (1)))) (jsqr Q)).
-  set (R := jsub _ _) in *. destruct K as [KR KS]. change (s_root C R) with (jsqrt R). set (r := jsqrt R) in *. clearbody r. clearbody R.
+  unfold first_part. rewrite EF, EQ. cbv zeta. change (s_sub C (s_sqr C (jline U PI (-1))) (s_sqr C Q))
+    with (jsub (jsqr (jline U PI (- (1)))) (jsqr Q)).
+  set (R := jsub _ _) in *. destruct K as [KR KS]. change (s_root C R) with (jsqrt R). set (r := jsqrt R) in *.
+  clearbody r. clearbody R.
   split; use; by_field T.
 Qed.
 Lemma start_second_part e e' h h' : at_0 h = at_0 h' ->
@@ -222,7 +237,8 @@ Proof.
   destruct Hs as (_ & _ & _ & _ & _ & Ch & Af & Al & Ap).
   assert (B := start_both e e'). assert (M := start_mean e). set (x := mean_of _ _ _ e) in *.
   set (y := both_of _ _ _ _) in *. clearbody x y. unfold second_part, plus, minus.
-  split; use; rewrite ?Af, ?Al, ?Ap, ?Hh; [field; lra|]. replace (1 - rho^2) with ((1 - rho) * (1 + rho)) by ring. simpl. field.
+  split; use; rewrite ?Af, ?Al, ?Ap, ?Hh; [field; lra|]. replace (1 - rho^2) with ((1 - rho) * (1 + rho)) by ring.
+  simpl. field.
   repeat split; try lra.
 Qed.
 Theorem L57b a b c e e' f h h' : at_0 h = at_0 h' ->
@@ -239,9 +255,11 @@ Proof.
   destruct Hs as (_ & _ & _ & _ & Eh & _).
   assert (g0 : 0 < sqrt (sqrt 3)) by (now apply sqrt_lt_R0). assert (g2 := sqrt_sqrt (sqrt 3) (Rlt_le _ _ T0)).
   assert (w0 : 0 < sqrt PI) by (now apply sqrt_lt_R0). assert (w2 := sqrt_sqrt PI (Rlt_le _ _ P)).
-  assert (E : sqrt e0 = / (sqrt (sqrt 3) * sqrt PI)) by (unfold e0; rewrite sqrt_inv, sqrt_mult_alt by lra; reflexivity).
+  assert (E : sqrt e0 = / (sqrt (sqrt 3) * sqrt PI)) by (unfold e0; rewrite sqrt_inv, sqrt_mult_alt by lra;
+    reflexivity).
   set (e1 := (7 + 8 * chi) / (3 * sqrt 3 * PI^2)) in *.
-  set (r := jsqrt (z_ehat C s)). assert (Kr : starts r (/ (sqrt (sqrt 3) * sqrt PI)) (e1 * (sqrt (sqrt 3) * sqrt PI) / 2)).
+  set (r := jsqrt (z_ehat C s)). assert (Kr :
+    starts r (/ (sqrt (sqrt 3) * sqrt PI)) (e1 * (sqrt (sqrt 3) * sqrt PI) / 2)).
   { unfold r. split; use; rewrite E; [reflexivity | field; lra]. }
   unfold ratio_of. change (s_root C (z_ehat C s)) with r. clearbody r.
   assert (G : 0 < sqrt (sqrt 3) * sqrt PI) by (now apply Rmult_lt_0_compat).

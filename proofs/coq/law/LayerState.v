@@ -10,7 +10,8 @@
     defect_value      == D = D0(T) Rr *)
 From Coq Require Import Reals ZArith Lra Lia List.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import Quotients PiValue LawStatement Angles Falls Ends Sizes Cubes Clock Midpoint Defect Differences Comparison Slopes Calculus
+From Dumbbell Require Import Quotients PiValue LawStatement Angles Falls Ends Sizes Cubes Clock Midpoint Defect
+  Differences Comparison Slopes Calculus
   LayerRule LayerValues NodeRule LayerIntegrals LayerRests LayerPlace.
 Local Open Scope R_scope.
 
@@ -29,10 +30,13 @@ Proof.
   specialize (IH ltac:(intros k Hk; apply Hall; now right)). cbn [map fold_right].
   set (l := map _ t) in *.
   change (at_U (jadd (jscale (f ((1 + rho) * part_node n i)) (part_weight n i)) (sum_nodes (exact U) rho f l)) =
-    g (u * part_node n i) * part_weight n i + fold_right (fun i s => g (u * part_node n i) * part_weight n i + s) 0 t).
-  cbn [jadd jscale at_U]. rewrite IH. f_equal. f_equal. apply Hf. assert (Hi := Hall i ltac:(now left)). unfold part_node.
+    g (u * part_node n i) * part_weight n i + fold_right (fun i s =>
+      g (u * part_node n i) * part_weight n i + s) 0 t).
+  cbn [jadd jscale at_U]. rewrite IH. f_equal. f_equal. apply Hf. assert (Hi := Hall i ltac:(now left)).
+  unfold part_node.
   assert (P : (0 < 3 * n * (2 * i + 1))%Z) by nia. split; [apply Rdiv_lt_0_compat; apply IZR_lt; nia|].
-  apply Rmult_lt_reg_r with (IZR (3 * n * (2 * i + 1))); [now apply IZR_lt|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by (apply IZR_lt in P; lra).
+  apply Rmult_lt_reg_r with (IZR (3 * n * (2 * i + 1))); [now apply IZR_lt|]. unfold Rdiv.
+  rewrite Rmult_assoc, Rinv_l by (apply IZR_lt in P; lra).
   rewrite Rmult_1_r, Rmult_1_l. apply IZR_lt. nia.
 Qed.
 
@@ -53,21 +57,26 @@ Let e := eps / (d * U).
 Record facts : Prop := {
   f_eps : 0 < eps; f_u : 0 < u' < u; f_u2 : u <= PI/2; f_th : 0 < th < PI/2;
   f_flight : cos u' - cos u = eps * tan th * (2 * PI - u - u'); f_U : 0 < U <= 9/10; f_d : 0 < d <= U / 5;
-  f_rho : 0 < rho <= 1/5; f_rU : rho * U = d; f_uU : u = U + d; f_uU' : u' = U - d; f_al : 0 < al; f_before : th - beta eps u = al;
+  f_rho : 0 < rho <= 1/5; f_rU : rho * U = d; f_uU : u = U + d; f_uU' : u' = U - d; f_al : 0 < al;
+    f_before : th - beta eps u = al;
   f_after : th + beta eps u' = al'; f_J : 0 < J <= Q; f_J' : 0 < J' <= Q; f_Q : Q < PI - u; f_e : 0 < e }.
 Lemma layer_facts : facts.
 Proof.
   destruct HL as [[A [B1 B2] [C1 C2] D E] [He [HU [Hd [HQ HJ]]]]]. assert (P := pi_value).
   fold U in HU, Hd. fold d in Hd. fold Q in HQ. fold J in HJ. fold th in D, E.
-  assert (Eu : u = U + d) by (unfold U, d, middle, half; field). assert (Eu' : u' = U - d) by (unfold U, d, middle, half; field).
+  assert (Eu : u = U + d) by (unfold U, d, middle, half; field).
+  assert (Eu' : u' = U - d) by (unfold U, d, middle, half; field).
   assert (U0 : 0 < U) by (unfold U, middle; lra). assert (d0 : 0 < d) by (unfold d, half; lra).
   assert (S1 := beta_pos eps u (proj1 A) ltac:(apply sin_gt_0; lra)).
-  assert (S2 := beta_pos eps u' (proj1 A) ltac:(apply sin_gt_0; lra)). assert (Hth : 0 < th < PI/2) by (unfold th in *; lra).
+  assert (S2 := beta_pos eps u' (proj1 A) ltac:(apply sin_gt_0; lra)).
+  assert (Hth : 0 < th < PI/2) by (unfold th in *; lra).
   assert (L := L44_before eps u u' th (proj1 A) B1 B2 ltac:(lra) E).
   assert (L' := L44_after eps u u' th (proj1 A) B1 B2 ltac:(lra) E).
-  assert (Eb : th - beta eps u = al) by (unfold th; ring). assert (Ea : th + beta eps u' = al') by lra. rewrite Eb in L. rewrite Ea in L'.
+  assert (Eb : th - beta eps u = al) by (unfold th; ring). assert (Ea : th + beta eps u' = al') by lra.
+  rewrite Eb in L. rewrite Ea in L'.
   change (J <= Q) in L. change (J' <= Q) in L'.
-  assert (e2 : eps^2 <= 1/1000) by (replace (eps^2) with (eps * eps) by ring; apply Rle_trans with (1/1000 * 1); [apply Rmult_le_compat; lra | lra]).
+  assert (e2 : eps^2 <= 1/1000) by (replace (eps^2) with (eps * eps) by ring; apply Rle_trans with (1/1000 * 1);
+    [apply Rmult_le_compat; lra | lra]).
   assert (al0 : 0 < al).
   { destruct C1 as [C1|C1]; [exact C1|]. exfalso. unfold J, invariant in HJ. rewrite <- C1, cos_0 in HJ. lra. }
   assert (J0 : 0 < J) by (apply Rmult_lt_0_compat; [lra | apply cos_gt_0; unfold th in Hth; lra]).
@@ -85,7 +94,8 @@ Hypothesis HQj : at_U Qj = Q.
 Let s := sizes_of C rho Qj.
 Let a := size eps u u' th.
 Let ap := size_after eps u u' th.
-Lemma sizes_are : at_U (z_sin_U C s) = sin U /\ at_U (z_cos_U C s) = cos U /\ z_F C s = jline U PI (-1) /\ z_Q C s = Qj /\
+Lemma sizes_are : at_U (z_sin_U C s) = sin U /\ at_U (z_cos_U C s) = cos U /\ z_F C s = jline U PI (-1) /\ z_Q C s =
+  Qj /\
   at_U (z_ehat C s) = e /\ at_U (z_change C s) = a * (1 - rho * rho) /\ at_U (z_first C s) = ap + rho * a /\
   at_U (z_last C s) = ap /\ U * at_U (z_apart C s) = ap + a * (1 + rho) / 2.
 Proof.
@@ -101,7 +111,8 @@ Lemma J_value : at_U (J_of C rho s) = J.
 Proof.
   facts layer_facts. destruct sizes_are as (_ & _ & _ & EQ & _ & _ & A & _). destruct falls_are as [F _].
   unfold J_of. cbn [s_add s_mul s_line C exact jadd jmul jline at_U]. fold C. rewrite EQ, HQj, A.
-  change (n_Z C 0) with 0. change (n_sqr C rho) with (rho * rho). replace J with (Q + (ap + rho * a) * d^2 / U) by lra.
+  change (n_Z C 0) with 0. change (n_sqr C rho) with (rho * rho).
+  replace J with (Q + (ap + rho * a) * d^2 / U) by lra.
   unfold rho. field. lra.
 Qed.
 
@@ -109,27 +120,30 @@ Qed.
 Lemma node_G_value Jj x : 0 < x -> at_U (node_G C Jj (x / U)) = kernel (fun F => G F (at_U Jj)) x.
 Proof.
   intros Hx. facts layer_facts. unfold node_G, s_G, s_root_of.
-  assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W. rewrite W.
+  assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W.
+  rewrite W.
   cbn [s_mul s_inv s_line s_root s_sub s_sqr C exact jmul jinv jline jsqrt jsub jsqr at_U n_neg n_pi]. fold C.
   replace (PI + U * - (x / U)) with (PI - x) by (field; lra). replace (x / U * U) with x by (field; lra). reflexivity.
 Qed.
-Lemma node_H_value Jj x : 0 < x -> 0 < at_U Jj < PI - x -> at_U (node_H C Jj (x / U)) = kernel (fun F => H F (at_U Jj)) x.
+Lemma node_H_value Jj x : 0 < x -> 0 < at_U Jj < PI - x -> at_U (node_H C Jj (x / U)) = kernel (fun F =>
+  H F (at_U Jj)) x.
 Proof.
   intros Hx HJ. facts layer_facts. unfold node_H, s_H.
-  assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W. rewrite W.
+  assert (W := sinc_jet U (x / U) ltac:(replace (x / U * U) with x by (field; lra); exact Hx)). fold C in W.
+  rewrite W.
   cbn [s_mul s_inv s_line s_root s_sub s_sqr C exact jmul jinv jline jsqrt jsub jsqr at_U n_neg n_pi]. fold C.
   replace (PI + U * - (x / U)) with (PI - x) by (field; lra). replace (x / U * U) with x by (field; lra).
-  unfold kernel, H, root. destruct (radicand (PI - x) (at_U Jj) HJ) as [A B]. assert (S := sqrt_sqrt _ (Rlt_le _ _ A)).
+  unfold kernel, H, root. destruct (radicand (PI - x) (at_U Jj) HJ) as [A B].
+  assert (S := sqrt_sqrt _ (Rlt_le _ _ A)).
   set (r := sqrt _) in *. rewrite <- S. field. lra.
 Qed.
 Variable n : Z.
 Hypothesis Hn : (0 < n)%Z.
 Let nodes := nodes_of n.
-Lemma tau_ready j : 0 < j < PI - u -> forall a b, 0 <= a -> a <= b <= u -> ex_RInt (fun x => sin x * G (PI - x) j) a b.
-Proof. intros Hj x y Hx Hy. apply (tau_integrable j x y u); lra. Qed.
 Lemma H_ready j : 0 < j < PI - u -> forall a b, 0 <= a -> a <= b <= u -> ex_RInt (fun x => sin x * H (PI - x) j) a b.
 Proof.
-  intros Hj x y Hx Hy. apply (ex_RInt_Chasles_2 (V := R_CompleteNormedModule) (fun x => sin x * H (PI - x) j) 0 x y ltac:(lra)).
+  intros Hj x y Hx Hy. apply (ex_RInt_Chasles_2 (V := R_CompleteNormedModule) (fun x =>
+    sin x * H (PI - x) j) 0 x y ltac:(lra)).
   apply weight_integrable; [lra | lra |]. intros F HF. exact (proj1 (H_smooth j F ltac:(lra))).
 Qed.
 Definition tau_rest := spread_of n * way_rest (fun F => G F J) u n.
@@ -138,13 +152,16 @@ Definition mean_rest := step_rest (fun F => H F Q) U u d * ((d / U)^2 * (1 / 3 -
 Lemma k_value : at_U (k_of C rho nodes s tau_rest) = 2 * (tau u J / u^2) / e.
 Proof.
   facts layer_facts. destruct sizes_are as (_ & _ & _ & _ & Ee & _).
-  assert (Hu : 0 < u) by lra. unfold k_of. cbn [s_scale s_mul s_add s_inv s_curve C exact jscale jmul jadd jinv jcurve at_U]. fold C.
+  assert (Hu : 0 < u) by lra. unfold k_of. cbn [s_scale s_mul s_add s_inv s_curve C exact jscale jmul jadd jinv jcurve
+    at_U]. fold C.
   unfold nodes. rewrite (nodes_sum n _ (kernel (fun F => G F J)) U rho u); [|intros t Ht|exact Hn].
   - rewrite Ee. assert (W : tau u J / u^2 = _) by exact (way_rest_is (fun F => G F J) u Hu n Hn). rewrite W.
-    unfold tau_rest. change (n_Z C 0) with 0. change (n_Z C 2) with 2. change (n_mul C (n_sqr C (plus C rho)) ?x) with ((1 + rho) * (1 + rho) * x).
+    unfold tau_rest. change (n_Z C 0) with 0. change (n_Z C 2) with 2.
+    change (n_mul C (n_sqr C (plus C rho)) ?x) with ((1 + rho) * (1 + rho) * x).
     assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite F_uU, <- F_rU; ring). rewrite Eu.
     set (v := way_rest _ _ _). set (v' := sum_of _ _ _). cbn. field. lra.
-  - assert (X := node_G_value (J_of C rho s) (u * t) ltac:(apply Rmult_lt_0_compat; lra)). rewrite J_value in X. rewrite <- X.
+  - assert (X := node_G_value (J_of C rho s) (u * t) ltac:(apply Rmult_lt_0_compat; lra)). rewrite J_value in X.
+    rewrite <- X.
     do 2 f_equal. rewrite F_uU, <- F_rU. field. lra.
 Qed.
 Lemma way_value : at_U (way_of C rho nodes Qj tau_J_rest) = tau_J u Q / u^2.
@@ -152,11 +169,13 @@ Proof.
   facts layer_facts. assert (Hu : 0 < u) by lra. unfold way_of. cbn [s_add s_curve C exact jadd jcurve at_U]. fold C.
   unfold nodes. rewrite (nodes_sum n _ (kernel (fun F => H F Q)) U rho u); [|intros t Ht|exact Hn].
   - assert (W : tau_J u Q / u^2 = _) by exact (way_rest_is (fun F => H F Q) u Hu n Hn). rewrite W.
-    unfold tau_J_rest. change (n_Z C 0) with 0. change (n_mul C (n_sqr C (plus C rho)) ?x) with ((1 + rho) * (1 + rho) * x).
+    unfold tau_J_rest. change (n_Z C 0) with 0. change (n_mul C (n_sqr C (plus C rho)) ?x)
+      with ((1 + rho) * (1 + rho) * x).
     assert (Eu : u^2 = U * U * ((1 + rho) * (1 + rho))) by (rewrite F_uU, <- F_rU; ring). rewrite Eu.
     set (v := way_rest _ _ _). set (v' := sum_of _ _ _). cbn. ring.
   - assert (u * t < u * 1) by (apply Rmult_lt_compat_l; lra).
-    assert (X := node_H_value Qj (u * t) ltac:(apply Rmult_lt_0_compat; lra) ltac:(rewrite HQj; lra)). rewrite HQj in X. rewrite <- X.
+    assert (X := node_H_value Qj (u * t) ltac:(apply Rmult_lt_0_compat; lra) ltac:(rewrite HQj; lra)).
+    rewrite HQj in X. rewrite <- X.
     do 2 f_equal. rewrite F_uU, <- F_rU. field. lra.
 Qed.
 Lemma mean_value : at_U (mean_of C rho Qj mean_rest) = (tau_J u Q - tau_J u' Q) / (d * U).
@@ -167,13 +186,16 @@ Proof.
     replace (d^2 / (3 * U) * (3 * U)) with (d * d) by (field; lra).
     assert (d * d < d * (3 * U)) by (apply Rmult_lt_compat_l; lra). lra. }
   assert (X := node_H_value Qj (U + d^2 / (3 * U)) ltac:(lra) ltac:(rewrite HQj; lra)). rewrite HQj in X.
-  replace (node_H C Qj (n_add C (n_Z C 1) (n_div C (n_sqr C rho) (n_Z C 3)))) with (node_H C Qj ((U + d^2 / (3 * U)) / U))
-    by (f_equal; change (n_add C (n_Z C 1) (n_div C (n_sqr C rho) (n_Z C 3))) with (1 + rho * rho / 3); unfold rho; field; lra).
+  replace (node_H C Qj (n_add C (n_Z C 1) (n_div C (n_sqr C rho) (n_Z C 3))))
+    with (node_H C Qj ((U + d^2 / (3 * U)) / U))
+    by (f_equal; change (n_add C (n_Z C 1) (n_div C (n_sqr C rho) (n_Z C 3))) with (1 + rho * rho / 3); unfold rho;
+      field; lra).
   rewrite X. assert (W : RInt (fun x => sin x * H (PI - x) Q) (U - d) u / (d * U) = _)
     by exact (step_rest_is (fun F => H F Q) U u d ltac:(lra)). change (n_Z C 0) with 0. change (n_Z C 2) with 2.
   assert (CH : RInt (fun x => sin x * H (PI - x) Q) (U - d) u = tau_J u Q - tau_J u' Q).
   { rewrite <- F_uU'. unfold tau_J. assert (HR := H_ready Q ltac:(lra)).
-    assert (K := RInt_Chasles (V := R_CompleteNormedModule) (fun x => sin x * H (PI - x) Q) 0 u' u (HR 0 u' ltac:(lra) ltac:(lra)) (HR u' u ltac:(lra) ltac:(lra))).
+    assert (K := RInt_Chasles (V := R_CompleteNormedModule) (fun x =>
+      sin x * H (PI - x) Q) 0 u' u (HR 0 u' ltac:(lra) ltac:(lra)) (HR u' u ltac:(lra) ltac:(lra))).
     unfold Hierarchy.plus in K; simpl in K. lra. }
   rewrite CH in W. rewrite W. unfold mean_rest. ring.
 Qed.
@@ -186,8 +208,10 @@ Lemma first_value : at_U (first_part C s e_cos e_sin e_mid) = midpoint_error U d
 Proof.
   facts layer_facts. destruct sizes_are as (Es & Ec & EF & EQ & _).
   unfold first_part. rewrite EF, EQ. cbv zeta.
-  cbn [s_add s_sub s_mul s_neg s_scale s_inv s_root s_sqr s_curve C exact jadd jsub jmul jneg jscale jinv jsqrt jsqr jcurve jline at_U]. fold C.
-  rewrite Es, Ec, HQj. change (n_Z C 0) with 0. change (n_Z C 2) with 2. change (n_Z C 3) with 3. change (n_div C (n_Z C 1) 3) with (1 / 3).
+  cbn [s_add s_sub s_mul s_neg s_scale s_inv s_root s_sqr s_curve C exact jadd jsub jmul jneg jscale jinv jsqrt jsqr
+    jcurve jline at_U]. fold C.
+  rewrite Es, Ec, HQj. change (n_Z C 0) with 0. change (n_Z C 2) with 2. change (n_Z C 3) with 3.
+  change (n_div C (n_Z C 1) 3) with (1 / 3).
   replace (PI + U * -1) with (PI - U) by ring.
   destruct (radicand (PI - U) Q ltac:(lra)) as [A B]. assert (S := sqrt_sqrt _ (Rlt_le _ _ A)).
   assert (M2 : 1 / 3 + U * U * e_cos = moment_cos d 2 / d^3) by (unfold e_cos, moment_rest_cos; field; lra).
@@ -205,11 +229,13 @@ Proof.
   intros Eh Eh' T T' mean way. facts layer_facts. destruct sizes_are as (_ & _ & _ & _ & _ & Ech & Ef & El & Ea).
   assert (EW := way_value). assert (EM := mean_value). fold mean in EM. fold way in EW.
   unfold second_part, both_of, plus, minus.
-  cbn [s_add s_sub s_mul s_scale s_sqr s_line s_tight C exact jadd jsub jmul jscale jsqr jline at_U n_sqr n_add n_sub n_div n_mul n_Z]. fold C.
+  cbn [s_add s_sub s_mul s_scale s_sqr s_line s_tight C exact jadd jsub jmul jscale jsqr jline at_U n_sqr n_add n_sub
+    n_div n_mul n_Z]. fold C.
   rewrite EM, EW, Ech, Ef, El, Eh, Eh'. rewrite T, T'. destruct falls_are as [-> ->].
   replace (at_U (z_apart C s)) with ((ap + a * (1 + rho) / 2) / U) by (rewrite <- Ea; field; lra).
   assert (R1 : 1 - rho <> 0) by lra.
-  assert (Hu : (1 + rho) * U = u) by (rewrite F_uU, <- F_rU; ring). assert (Hu' : (1 - rho) * U = u') by (rewrite F_uU', <- F_rU; ring).
+  assert (Hu : (1 + rho) * U = u) by (rewrite F_uU, <- F_rU; ring).
+  assert (Hu' : (1 - rho) * U = u') by (rewrite F_uU', <- F_rU; ring).
   set (x := tau_J u Q). set (y := tau_J u' Q). rewrite <- Hu, <- Hu', <- F_rU. field. repeat split; lra.
 Qed.
 Theorem defect_value hj hj' h h' : at_U hj = h -> at_U hj' = h' ->
@@ -226,7 +252,8 @@ Proof.
   intros Eh Eh' T0 T0' mean way k m hf T HB. facts layer_facts.
   assert (Ek := k_value). fold k in Ek. set (k1 := tau u J / u^2) in *. assert (Hu : 0 < u) by lra.
   destruct sizes_are as (_ & _ & _ & _ & Ee & _).
-  assert (Alr : 0 < al < PI/2) by (assert (K := beta_pos eps u F_eps ltac:(apply sin_gt_0; lra)); unfold th in F_th; lra).
+  assert (Alr : 0 < al < PI/2) by (assert (K := beta_pos eps u F_eps ltac:(apply sin_gt_0; lra)); unfold th in F_th;
+    lra).
   assert (K1 : 0 < k1).
   { apply Rdiv_lt_0_compat; [|now apply pow_lt]. assert (X := L45c_below (u / 2) J ltac:(lra) ltac:(lra)).
     assert (M := tau_mono (u / 2) u J J ltac:(lra) ltac:(lra) ltac:(lra)).
@@ -239,20 +266,25 @@ Proof.
   set (kk := 2 * k1 / e) in *.
   set (bb := (kk - 1) * ((1 + rho) / (1 - rho) * ((1 + rho) / (1 - rho))) + 1).
   assert (Eb : at_U (below_of C rho k) = bb).
-  { unfold below_of, plus, minus. cbn [s_shift s_scale C exact jshift jscale at_U n_sqr n_div n_add n_sub n_Z]. fold C. rewrite Ek. unfold bb. ring. }
+  { unfold below_of, plus, minus. cbn [s_shift s_scale C exact jshift jscale at_U n_sqr n_div n_add n_sub n_Z].
+    fold C. rewrite Ek. unfold bb. ring. }
   assert (Ehf : at_U hf = ((sqrt kk - 1) * (1 + rho) + (sqrt bb - 1) * (1 - rho)) / 2 + 1).
-  { unfold hf, half_of, plus, minus. cbn [s_shift s_scale s_add s_root C exact jshift jscale jadd jsqrt at_U n_div n_add n_sub n_Z]. fold C.
+  { unfold hf, half_of, plus,
+    minus. cbn [s_shift s_scale s_add s_root C exact jshift jscale jadd jsqrt at_U n_div n_add n_sub n_Z]. fold C.
     rewrite Eb, Ek. field. }
   assert (TT : 1 <= T).
   { rewrite Eclock. apply (L50a_late U rho e k1); try lra. rewrite Eb in HB. unfold bb, kk in HB.
     assert (X : 0 <= ((1 + rho)^2 * k1 - 2 * rho * e) * (2 / (e * ((1 - rho) * (1 - rho))))).
     { replace (((1 + rho)^2 * k1 - 2 * rho * e) * (2 / (e * ((1 - rho) * (1 - rho))))) with
         ((2 * k1 / e - 1) * ((1 + rho) / (1 - rho) * ((1 + rho) / (1 - rho))) + 1) by (field; lra). exact HB. }
-    assert (W : 0 < 2 / (e * ((1 - rho) * (1 - rho)))) by (apply Rdiv_lt_0_compat; [lra|]; apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra]).
+    assert (W : 0 < 2 / (e * ((1 - rho) * (1 - rho)))) by (apply Rdiv_lt_0_compat; [lra|]; apply Rmult_lt_0_compat;
+      [lra | apply Rmult_lt_0_compat; lra]).
     assert (0 <= (1 + rho)^2 * k1 - 2 * rho * e); [|lra]. apply Rmult_le_reg_r with (1 := W). lra. }
   assert (Em : at_U m * (rho * U)^3 = 2 * eps * defect eps u al u' al').
-  { unfold m. cbn [jadd at_U]. rewrite first_value. unfold mean, way. rewrite (second_value hj hj' h h' Eh Eh' T0 T0').
-    destruct HL as [S _]. rewrite (L49_defect eps u al u' al' S F_al F_Q). fold U d Q J J'. rewrite F_rU. field. lra. }
+  { unfold m. cbn [jadd at_U]. rewrite first_value. unfold mean, way.
+    rewrite (second_value hj hj' h h' Eh Eh' T0 T0').
+    destruct HL as [S _]. rewrite (L49_defect eps u al u' al' S F_al F_Q). fold U d Q J J'. rewrite F_rU. field. lra.
+    }
   split; [exact TT|]. destruct (roots_by_half rho e k1 ltac:(lra) F_e K1) as [_ HP]. fold kk in HP. fold bb in HP.
   rewrite <- Ehf in HP. split; [exact HP|].
   assert (PB := place_by_half U rho e k1 ltac:(lra) ltac:(lra) F_e K1). rewrite <- Eclock in PB. specialize (PB TT).
@@ -261,11 +293,14 @@ Proof.
   - assert (X := L50a_ratio U rho e k1 ltac:(lra) ltac:(lra) F_e K1 (at_U m) (defect eps u al u' al')).
     rewrite <- Eclock, Eeps in X. rewrite (X TT ltac:(lra)). f_equal.
     rewrite (ratio_by_half rho e k1 ltac:(lra) F_e K1). fold kk. fold bb. rewrite <- Ehf.
-    unfold ratio_of, n_k0. cbn [s_scale s_mul s_sqr s_inv s_root s_tight C exact jscale jmul jsqr jinv jsqrt at_U n_div n_mul n_sqrt n_Z n_pi]. fold C.
+    unfold ratio_of, n_k0. cbn [s_scale s_mul s_sqr s_inv s_root s_tight C exact jscale jmul jsqr jinv jsqrt at_U
+      n_div n_mul n_sqrt n_Z n_pi]. fold C.
     rewrite Ee, step_constant_is. destruct root_three as [S3 _]. assert (P := PI_RGT_0).
-    assert (0 < sqrt e) by (apply sqrt_lt_R0; lra). assert (0 < sqrt PI) by (now apply sqrt_lt_R0). assert (0 < sqrt (sqrt 3)) by (now apply sqrt_lt_R0).
+    assert (0 < sqrt e) by (apply sqrt_lt_R0; lra). assert (0 < sqrt PI) by (now apply sqrt_lt_R0).
+    assert (0 < sqrt (sqrt 3)) by (now apply sqrt_lt_R0).
     field. repeat split; lra.
-  - rewrite PB1. f_equal. unfold place_of. cbn [s_scale s_mul s_root C exact jscale jmul jsqrt at_U n_mul n_sqrt n_Z n_pi]. fold C.
+  - rewrite PB1. f_equal. unfold place_of. cbn [s_scale s_mul s_root C exact jscale jmul jsqrt at_U n_mul n_sqrt n_Z
+    n_pi]. fold C.
     now rewrite Ee.
 Qed.
 End State.

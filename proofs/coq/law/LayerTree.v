@@ -1,9 +1,11 @@
-(** The cover of the layer, in doubles: a tree of boxes of U and rho, as bits, whose leaves are checked. A box has whole
+(** The cover of the layer, in doubles: a tree of boxes of U and rho, as bits, whose leaves are checked.
+A box has whole
     numbers, of which 65536 are 9/10 in U and 1/5 in rho.
 
     next        == the next bit of some words, each from its low end
     holds       == (C6) and (C7), at every step of a box
-    covered     == the words cover a box: 00 is a leaf with a slope, 01 one beyond eps = 1/1000, 10 a box halved in U, 11 in rho
+    covered     == the words cover a box: 00 is a leaf with a slope, 01 one beyond eps = 1/1000, 10 a box halved in U,
+      11 in rho
     covered_holds == then (C6) and (C7) hold there
     split_U, split_rho == they hold on a box if they do on both halves *)
 From Coq Require Import Reals ZArith Lra Bool List.
@@ -18,7 +20,8 @@ Definition constants := Eval vm_compute in D.N.M.make_constants p53 12 8.
 Lemma constants_are : constants = D.N.M.make_constants p53 12 8.
 Proof. vm_cast_no_check (eq_refl constants). Qed.
 
-Definition side a c l m := I.join (I.div p53 (I.fromZ p53 (a * l)) (I.fromZ p53 m)) (I.div p53 (I.fromZ p53 (c * l)) (I.fromZ p53 m)).
+Definition side a c l m := I.join (I.div p53 (I.fromZ p53 (a * l)) (I.fromZ p53 m)) (I.div p53 (I.fromZ p53 (c * l))
+  (I.fromZ p53 m)).
 Definition side_U a c := side a c 9 655360.
 Definition side_rho a c := side a c 1 327680.
 Definition unit_box a c d e eps w al w' al' := layer_step eps w al w' al' /\
@@ -36,21 +39,27 @@ Proof.
   - apply H1. split; [exact HL|split; [exact HU | lra]].
   - apply Rnot_le_lt in L. apply H2. split; [exact HL|split; [exact HU | lra]].
 Qed.
-Lemma side_in x a c l m : 0 < IZR m -> IZR (a * l) / IZR m <= x <= IZR (c * l) / IZR m -> D.N.M.K.L.X.inI x (side a c l m).
-Proof. intros Hm Hx. apply (D.N.join_in (IZR (a * l) / IZR m) (IZR (c * l) / IZR m)); [apply D.N.frac_in | apply D.N.frac_in | exact Hx]. Qed.
+Lemma side_in x a c l m : 0 < IZR m -> IZR (a * l) / IZR m <= x <= IZR (c * l) / IZR m ->
+  D.N.M.K.L.X.inI x (side a c l m).
+Proof. intros Hm Hx. apply (D.N.join_in (IZR (a * l) / IZR m) (IZR (c * l) / IZR m));
+  [apply D.N.frac_in | apply D.N.frac_in | exact Hx]. Qed.
 Lemma side_U_in x a c : IZR a <= x * (655360 / 9) <= IZR c -> D.N.M.K.L.X.inI x (side_U a c).
-Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least]; lra. Qed.
+Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least];
+  lra. Qed.
 Lemma side_rho_in x a c : IZR a <= x * 327680 <= IZR c -> D.N.M.K.L.X.inI x (side_rho a c).
-Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least]; lra. Qed.
+Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least];
+  lra. Qed.
 Lemma slope_holds a c d e : D.N.M.slope_leaf p53 constants (side_U a c) (side_rho d e) = true -> holds a c d e.
 Proof.
   rewrite constants_are. intros H eps w al w' al' (HL & HU & Hr).
-  exact (D.slope_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _ _ _ Hr) H).
+  exact (D.slope_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _ _ _
+    Hr) H).
 Qed.
 Lemma beyond_holds a c d e : D.N.M.beyond_leaf p53 constants (side_U a c) (side_rho d e) = true -> holds a c d e.
 Proof.
   rewrite constants_are. intros H eps w al w' al' (HL & HU & Hr). exfalso.
-  exact (D.N.beyond_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _ _ _ Hr) H).
+  exact (D.N.beyond_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _
+    _ _ Hr) H).
 Qed.
 
 (** For any two tests, so that nobody unfolds them. *)
@@ -63,7 +72,8 @@ Fixpoint next (words : list positive) : bool * list positive :=
   | cons (xO w) t => (false, cons w t)
   | cons (xI w) t => (true, cons w t)
   end.
-(** A leaf that does not pass as a whole may pass in two halves. What the bits are is not trusted: n bounds the depth. *)
+(** A leaf that does not pass as a whole may pass in two halves. What the bits are is not trusted: n bounds the depth.
+*)
 Fixpoint covered_by (n : nat) (words : list positive) (a c d e : Z) : option (list positive) :=
   match n with
   | O => None
@@ -89,13 +99,16 @@ Proof.
   - destruct (covered_by n w2 a ((a + c) / 2) d e) as [w3|] eqn:E; [|discriminate].
     apply (split_U ((a + c) / 2)); [exact (IH _ _ _ _ _ _ E) | exact (IH _ _ _ _ _ _ H)].
   - destruct (beyond a c d e) eqn:E; [now apply beyond_true | discriminate].
-  - destruct (slope a c d e) eqn:E; [now apply slope_true|]. destruct (slope a c d ((d + e) / 2)) eqn:E1; [|discriminate].
-    destruct (slope a c ((d + e) / 2) e) eqn:E2; [|discriminate]. apply (split_rho ((d + e) / 2)); now apply slope_true.
+  - destruct (slope a c d e) eqn:E; [now apply slope_true|]. destruct (slope a c d ((d + e) / 2)) eqn:E1;
+    [|discriminate].
+    destruct (slope a c ((d + e) / 2) e) eqn:E2; [|discriminate]. apply (split_rho ((d + e) / 2));
+      now apply slope_true.
 Qed.
 End Tests.
 Definition covered words a c d e := match
   covered_by (fun a c d e => D.N.M.slope_leaf p53 constants (side_U a c) (side_rho d e))
-    (fun a c d e => D.N.M.beyond_leaf p53 constants (side_U a c) (side_rho d e)) 40 words a c d e with Some _ => true | None => false end.
+    (fun a c d e => D.N.M.beyond_leaf p53 constants (side_U a c) (side_rho d e)) 40 words a c d e with Some _ =>
+      true | None => false end.
 Theorem covered_holds words a c d e : covered words a c d e = true -> holds a c d e.
 Proof.
   unfold covered. assert (K := covered_by_holds _ _ slope_holds beyond_holds 40 words).

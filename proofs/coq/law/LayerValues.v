@@ -2,7 +2,8 @@
 
     sinc_jet, cos_jet     == the jets of sinc (k U) and cos (k U)
     take                  == [take x] names the next thing of a formula
-    step_values           == eps^, (1 - rho^2) a, a_A, a_p and (a_p + (1 + rho) a/2)/U are values at U of the rule's jets *)
+    step_values           == eps^, (1 - rho^2) a, a_A,
+      a_p and (a_p + (1 + rho) a/2)/U are values at U of the rule's jets *)
 From Coq Require Import Reals Lra.
 From Dumbbell Require Import Tails LawStatement Angles Falls Sizes Slopes Calculus LayerRule.
 Local Open Scope R_scope.
@@ -68,18 +69,25 @@ Proof.
   take z. assert (Zu : at_U z = U) by (cbn; ring). assert (Zu0 : at_0 z = 0) by reflexivity. clearbody z.
   take dj. assert (Dj : at_U dj = d) by (cbn; lra). assert (Dj0 : at_0 dj = 0) by reflexivity. clearbody dj.
   take wd. assert (Wd := sinc_jet U rho ltac:(lra)). fold C wd in Wd. rewrite rU in Wd. clearbody wd.
-  take wU. assert (WU := sinc_jet U 1 ltac:(lra)). rewrite Rmult_1_l in WU. change (wU = {| at_U := sinc U; at_0 := 1; slope_0 := 0 |}) in WU. clearbody wU.
-  take wu. assert (Wu := sinc_jet U (1 + rho) ltac:(lra)). rewrite pU in Wu. change (wu = {| at_U := sinc u; at_0 := 1; slope_0 := 0 |}) in Wu. clearbody wu.
-  take wu'. assert (Wu' := sinc_jet U (1 - rho) ltac:(lra)). rewrite mU in Wu'. change (wu' = {| at_U := sinc u'; at_0 := 1; slope_0 := 0 |}) in Wu'. clearbody wu'.
-  take cU. assert (CU := cos_jet U 1). rewrite Rmult_1_l in CU. change (cU = {| at_U := cos U; at_0 := 1; slope_0 := 0 |}) in CU. clearbody cU.
+  take wU. assert (WU := sinc_jet U 1 ltac:(lra)). rewrite Rmult_1_l in WU. change (wU = {| at_U := sinc U; at_0 := 1;
+    slope_0 := 0 |}) in WU. clearbody wU.
+  take wu. assert (Wu := sinc_jet U (1 + rho) ltac:(lra)). rewrite pU in Wu. change (wu = {| at_U := sinc u;
+    at_0 := 1; slope_0 := 0 |}) in Wu. clearbody wu.
+  take wu'. assert (Wu' := sinc_jet U (1 - rho) ltac:(lra)). rewrite mU in Wu'. change (wu' = {| at_U := sinc u';
+    at_0 := 1; slope_0 := 0 |}) in Wu'. clearbody wu'.
+  take cU. assert (CU := cos_jet U 1). rewrite Rmult_1_l in CU. change (cU = {| at_U := cos U; at_0 := 1;
+    slope_0 := 0 |}) in CU. clearbody cU.
   take sU. assert (SU : at_U sU = sin U) by (cbn; rewrite Zu, WU; cbn; unfold sinc; field; lra). clearbody sU.
   take F. assert (EF : F = jline U PI (-1)) by reflexivity. clearbody F.
-  take cosine. assert (Cos : at_U cosine = cos th) by (cbn; rewrite HQ, EF; cbn; unfold Q; field; lra). clearbody cosine.
+  take cosine. assert (Cos : at_U cosine = cos th) by (cbn; rewrite HQ, EF; cbn; unfold Q; field; lra).
+  clearbody cosine.
   take sine. assert (Sin : at_U sine = sin th).
-  { cbn. rewrite Cos. rewrite <- (sqrt_square (sin th)) by lra. f_equal. assert (K := sin2_cos2 th). unfold Rsqr in K. lra. }
+  { cbn. rewrite Cos. rewrite <- (sqrt_square (sin th)) by lra. f_equal. assert (K := sin2_cos2 th). unfold Rsqr in K.
+    lra. }
   clearbody sine.
   take ehat. assert (Eh : at_U ehat = eps / (d * U)).
-  { cbn. rewrite Wd, WU, Cos, Sin, EF. cbn. assert (K := seven eps u u' th HE). fold U d in K. unfold tan in K. unfold sinc.
+  { cbn. rewrite Wd, WU, Cos, Sin, EF. cbn. assert (K := seven eps u u' th HE). fold U d in K. unfold tan in K.
+    unfold sinc.
     assert (E : eps = sin d * sin U * cos th / (sin th * (PI - U))) by (rewrite K; field; repeat split; lra).
     rewrite E. field. repeat split; lra. }
   clearbody ehat.
@@ -96,13 +104,17 @@ Proof.
   assert (Fc' := flat_root (jmul dj b') ltac:(cbn; rewrite Dj0; ring)).
   change (at_0 c' = 1 /\ slope_0 c' = 0) in Fc'. clearbody c'.
   destruct (beta_parts eps u Heps ltac:(lra)) as [C0 _]. destruct (beta_parts eps u' Heps S1) as [C0' _].
-  take waves. assert (Wv : at_U waves = sinc u * sinc u' * (1 - rho * rho)) by (cbn; rewrite Wu, Wu'; reflexivity). clearbody waves.
-  assert (s2 : forall x, 0 < x -> sinc (2 * x) = sinc x * cos x) by (intros x Hx; unfold sinc; rewrite sin_2a; field; lra).
+  take waves. assert (Wv : at_U waves = sinc u * sinc u' * (1 - rho * rho)) by (cbn; rewrite Wu, Wu'; reflexivity).
+  clearbody waves.
+  assert (s2 : forall x, 0 < x -> sinc (2 * x) = sinc x * cos x) by (intros x Hx; unfold sinc; rewrite sin_2a; field;
+    lra).
   take doubles. assert (Db : at_U doubles = 4 * (eps / (d * U)) * sinc (2 * U) * sinc (2 * d)).
   { cbn. rewrite Eh, WU, Wd, CU. cbn. rewrite (s2 U), (s2 d) by lra.
-    replace (1 + U * U * - (rho * rho / 2 * tail_cos (rho * U))) with (cos d); [ring|]. rewrite <- rU, cos_tail. field. }
+    replace (1 + U * U * - (rho * rho / 2 * tail_cos (rho * U))) with (cos d); [ring|]. rewrite <- rU, cos_tail.
+    field. }
   clearbody doubles.
-  assert (su : 0 < sinc u) by (apply Rdiv_lt_0_compat; lra). assert (su' : 0 < sinc u') by (apply Rdiv_lt_0_compat; lra).
+  assert (su : 0 < sinc u) by (apply Rdiv_lt_0_compat; lra). assert (su' : 0 < sinc u') by (apply Rdiv_lt_0_compat;
+    lra).
   take kc. assert (Kc : at_U kc = size_c eps u u').
   { cbn. rewrite Ec, Ec', Db, Eh, Wv. unfold size_c. fold U d. fold rho. field. repeat split; lra. }
   clearbody kc.
@@ -110,7 +122,8 @@ Proof.
   { cbn. rewrite Wv, Db, Wu, Wu', Ec, Ec'. cbn. unfold size_s. fold U d. fold rho. set (x := cos (beta eps u)) in *.
     set (y := cos (beta eps u')) in *.
     assert (0 < (1 + rho) * sinc u * y) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
-    assert (0 < (1 - rho) * sinc u' * x) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). field. repeat split; lra. }
+    assert (0 < (1 - rho) * sinc u' * x) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). field.
+    repeat split; lra. }
   clearbody ks.
   take ratio. assert (Rt : at_U ratio = (sinc d / sinc U)^2) by (cbn; rewrite Wd, WU; cbn; unfold Rdiv; ring).
   assert (Rt0 : at_0 ratio = 1 /\ slope_0 ratio = 0) by (cbn; rewrite Wd, WU; cbn; split; field). clearbody ratio.
@@ -123,7 +136,8 @@ Proof.
     assert (X : sin d / sin U = rho * (sinc d / sinc U)) by (unfold rho, sinc; field; repeat split; lra). rewrite X.
     set (t := sinc d / sinc U) in *.
     assert (X2 : 0 < 1 - rho * t * (rho * t)).
-    { rewrite <- X. replace (1 - sin d / sin U * (sin d / sin U)) with ((sin U * sin U - sin d * sin d) / (sin U * sin U)) by (field; lra).
+    { rewrite <- X. replace (1 - sin d / sin U * (sin d / sin U))
+      with ((sin U * sin U - sin d * sin d) / (sin U * sin U)) by (field; lra).
       apply Rdiv_lt_0_compat; [exact W | now apply Rmult_lt_0_compat]. }
     set (w := (2 * d - sin (2 * d)) / (2 * d^3)). field. repeat split; lra. }
   assert (Fl0 : at_0 fall = 1 /\ slope_0 fall = 0).
@@ -136,7 +150,8 @@ Proof.
     set (w := sinc U). set (t := sinc d). set (v := sinc u') in *. rewrite <- rU. field. repeat split; lra. }
   assert (Fl0' : at_0 fall' = 1 /\ slope_0 fall' = 0) by (cbn; rewrite CU, Wd, Wu'; cbn; split; field).
   clearbody fall'.
-  take more. assert (Mr : at_U more = Q * size_c eps u u' + sin th * size_s eps u u' + cos th * size_x1 u u' * d * size_c eps u u' * rho).
+  take more. assert (Mr :
+    at_U more = Q * size_c eps u u' + sin th * size_s eps u u' + cos th * size_x1 u u' * d * size_c eps u u' * rho).
   { cbn. rewrite HQ, Kc, Ks, Sin, Cos, Fl', Dj. field. lra. }
   clearbody more.
   assert (T' : at_U b' = eps / (d * sin u')) by (apply Rmult_eq_reg_l with d; [rewrite Eb'; field; lra | lra]).
@@ -144,11 +159,13 @@ Proof.
       + sin th * (eps / (d * sin u')) * cos (beta eps u')).
   { cbn. rewrite HQ, T', Ec', Sin. field. repeat split; lra. }
   clearbody kick.
-  take cf. assert (Cf : at_U cf = cos (beta eps u) * (size_x u u' * (1 - rho * rho) / 2)) by (cbn; rewrite Ec, Fl; reflexivity).
+  take cf. assert (Cf : at_U cf = cos (beta eps u) * (size_x u u' * (1 - rho * rho) / 2)) by (cbn; rewrite Ec, Fl;
+    reflexivity).
   assert (Cf0 : at_0 cf = 1 /\ slope_0 cf = 0).
   { destruct Fc as [A1 A2], Fl0 as [B1 B2]. cbn. rewrite A1, A2, B1, B2. split; ring. }
   clearbody cf.
-  take cf'. assert (Cf' : at_U cf' = cos (beta eps u') * (- size_x1 u u' * (1 - rho))) by (cbn; rewrite Ec', Fl'; reflexivity).
+  take cf'. assert (Cf' : at_U cf' = cos (beta eps u') * (- size_x1 u u' * (1 - rho))) by (cbn; rewrite Ec', Fl';
+    reflexivity).
   assert (Cf0' : at_0 cf' = 1 /\ slope_0 cf' = 0).
   { destruct Fc' as [A1 A2], Fl0' as [B1 B2]. cbn. rewrite A1, A2, B1, B2. split; ring. }
   clearbody cf'.
@@ -161,7 +178,8 @@ Proof.
     rewrite <- mU. unfold rho. field. repeat split; lra. }
   assert (Sz : size eps u u' th = cos th * (cos (beta eps u) * size_x u u') + U * at_U more).
   { rewrite Mr. unfold size. fold U d. rewrite X1. fold Q. ring. }
-  take change. assert (Ch : at_U change = size eps u u' th * (1 - rho * rho)) by (cbn; rewrite Sz, Cos, Cf, Zu; field).
+  take change. assert (Ch : at_U change = size eps u u' th * (1 - rho * rho)) by (cbn; rewrite Sz, Cos, Cf, Zu;
+    field).
   clearbody change.
   take lj. assert (La : at_U lj = size_after eps u u' th).
   { cbn. rewrite Cos, Cf', Zu, Kk. unfold size_after. fold U d. fold Q. field. repeat split; lra. }
@@ -170,7 +188,8 @@ Proof.
   repeat split; try assumption.
   - rewrite CU. reflexivity.
   - cbn. rewrite La, Ch. unfold size_before. fold U d. fold rho. field. repeat split; lra.
-  - cbn. rewrite Sz. unfold size_after. fold U d. fold Q. unfold bend_of, rise_of. destruct Cf0 as [-> ->], Cf0' as [-> ->].
+  - cbn. rewrite Sz. unfold size_after. fold U d. fold Q. unfold bend_of, rise_of.
+    destruct Cf0 as [-> ->], Cf0' as [-> ->].
     rewrite Cf, Cf', Cos, Kk. field. repeat split; lra.
 Qed.
 End Values.

@@ -23,7 +23,8 @@ Definition sin7 x := sin5 x - x^7 / 5040.
 Definition cos8 x := cos6 x + x^8 / 40320.
 Definition sin9 x := sin7 x + x^9 / 362880.
 Ltac by_rise f' := unfold sin9, sin7, sin5, cos8, cos6, cos4; apply (rises _ f');
-  [intros t; auto_derive; [easy | simpl; unfold sin7, sin5, cos8, cos6, cos4; field] | | simpl; rewrite ?sin_0, ?cos_0; field].
+  [intros t; auto_derive; [easy | simpl; unfold sin7, sin5, cos8, cos6, cos4; field] | | simpl;
+    rewrite ?sin_0, ?cos_0; field].
 Lemma taylor x : 0 <= x -> sin7 x <= sin x <= sin9 x /\ cos6 x <= cos x <= cos8 x.
 Proof.
   intros Hx.
@@ -61,7 +62,8 @@ Proof.
   - apply Rmult_le_reg_r with w; [exact Hw|]. replace ((t - p) / w * w) with (t - p) by (field; lra). lra.
 Qed.
 Ltac by_parity x tail_is := destruct (Rle_dec 0 x) as [L|L];
-  [now apply tail_is | destruct (tails_even x) as [E1 E2]; rewrite <- ?E1, <- ?E2; replace (x^2) with ((- x)^2) by ring;
+  [now apply tail_is | destruct (tails_even x) as [E1 E2]; rewrite <- ?E1, <- ?E2;
+    replace (x^2) with ((- x)^2) by ring;
     apply tail_is; lra].
 Theorem tail_sin_is x : exists b, 0 <= b <= 1 /\ tail_sin x = 1 - x^2 / 20 * (1 - x^2 / 42 * (1 - x^2 / 72 * b)).
 Proof.
