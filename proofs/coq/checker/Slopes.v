@@ -8,7 +8,6 @@
     rise_of, bend_of                 == (x - x0)/U, ((x - x0)/U - x1)/U
     jadd, jneg, jsub, jmul, jinv, jdiv, jsqr, jsqrt, jscale, jshift == sums and so on, by the rules of derivatives
     jline, jcurve                    == a + b U; a + c U^2, where c may depend on U
-    jet_is                           == a jet is its three parts
     nan, nan_in, mul_nan             == an interval that encloses everything, as what is divided by 0 is
     slope, encl                      == five intervals; they enclose x0, x1, (x - x0)/U, ((x - x0)/U - x1)/U and x
     add, neg, sub, mul, inv, div, sqr, root, scale, shift, line,
@@ -36,8 +35,6 @@ Definition jline U a b := {| at_U := a + U * b; at_0 := a; slope_0 := b |}.
 Definition jcurve U a c := {| at_U := a + U * U * c; at_0 := a; slope_0 := 0 |}.
 Definition rise_of U x := (at_U x - at_0 x) / U.
 Definition bend_of U x := (rise_of U x - slope_0 x) / U.
-Lemma jet_is x a b c : at_U x = a -> at_0 x = b -> slope_0 x = c -> x = {| at_U := a; at_0 := b; slope_0 := c |}.
-Proof. destruct x; simpl. now intros -> -> ->. Qed.
 
 Module Slopes (F : FloatOps with Definition sensible_format := true).
 Module Export X := Enclosure F.
@@ -94,23 +91,17 @@ Definition values U x := (I.meet (I.meet (whole x) (zero x + U * rise x)) (zero 
 Definition tight U x := {| zero := zero x; first := first x; rise := I.meet (rise x) (first x + U * bend x);
   bend := bend x; whole := values U x |}%i.
 
-Lemma zero_in : inI 0 I.zero.
-Proof. unfold inI. rewrite I.zero_correct. simpl. lra. Qed.
 Lemma mul_nan j k y : inI y k -> nan j -> nan (j * k)%i /\ nan (k * j)%i.
 Proof.
   intros Hk Hj. split; [exact (I.mul_correct p j k Xnan (Xreal y) Hj Hk)|].
   exact (I.mul_correct p k j (Xreal y) Xnan Hk Hj).
 Qed.
-Lemma sqr_in x i : inI x i -> inI (x * x) (I.sqr p i).
-Proof. exact (I.sqr_correct p i (Xreal x)). Qed.
 (** What is divided by 0 is enclosed by an interval that encloses everything. *)
 Lemma inv_in x i : inI x i -> inI (/ x) (I.inv p i) /\ (x = 0 -> nan (I.inv p i)).
 Proof.
   intros H. assert (K := I.inv_correct p i (Xreal x) H). simpl in K. unfold Xinv' in K.
   destruct (Xreal.is_zero_spec x) as [Z|Z]; [split; [now apply nan_in | easy] | now split].
 Qed.
-Lemma sqrt_in x i : inI x i -> inI (sqrt x) (I.sqrt p i).
-Proof. exact (I.sqrt_correct p i (Xreal x)). Qed.
 Lemma above_zero_true x i : above_zero i = true -> inI x i -> 0 < x.
 Proof.
   intros H Hx. unfold above_zero in H. assert (K := I.sign_strict_correct i). destruct (I.sign_strict i);
@@ -185,7 +176,7 @@ Proof.
   destruct (above_zero (zero a)) eqn:P1; [destruct (above_zero (whole a)) eqn:P2|];
     [|repeat split; apply nan_in, nai_nan|repeat split; apply nan_in, nai_nan]. cbn [andb].
   assert (N0 := above_zero_true _ _ P1 A1). assert (N := above_zero_true _ _ P2 A5).
-  assert (Z := sqrt_in _ _ A1). assert (W := sqrt_in _ _ A5).
+  assert (Z := sqrt_in p _ _ A1). assert (W := sqrt_in p _ _ A5).
   assert (S := add_in p _ _ _ _ Z W). assert (S2 := add_in p _ _ _ _ Z Z).
   assert (Q0 := sqrt_lt_R0 _ N0). assert (Q := sqrt_lt_R0 _ N). assert (E0 := sqrt_sqrt _ (Rlt_le _ _ N0)).
   assert (E := sqrt_sqrt _ (Rlt_le _ _ N)).
