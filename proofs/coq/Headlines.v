@@ -1,10 +1,14 @@
 (** The theorems of README.md's table again, each proved by its namesake. Nothing of this proof is taken in by its short
-    name but the statement, and no word or notation is added (`assumptions` sees to that): what is not of Statement.v or
-    of Coq's real numbers has the name of its file before it. So no other file can change what a sentence here says. *)
+    name but the statement, and no word or notation is added (`assumptions` sees to that): what is not of Statement.v
+      or
+    of Coq's real numbers has the name of its file before it. So no other file can change what a sentence here says.
+      *)
 From Coq Require Import Reals.
 From Dumbbell Require Import Statement.
-From Dumbbell Require AnyMotion AtMostOnce CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
+From Dumbbell Require AnyMotion AtMostOnce CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum
+  Exchange
+  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit
+    LightTotal
   Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
   StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
 Local Open Scope R_scope.
@@ -245,11 +249,9 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
-Theorem law : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  LawStatement.the_law /\ LawStatement.law_everywhere.
+Theorem law : LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
-Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+Theorem theorem_A : forall (N : nat) (q : R), (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
   0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
 Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.
