@@ -2,11 +2,18 @@
     name but the statement, and no word or notation is added (`assumptions` sees to that): what is not of Statement.v or
     of Coq's real numbers has the name of its file before it. So no other file can change what a sentence here says. *)
 From Coq Require Import Reals.
-From Dumbbell Require Import Statement.
-From Dumbbell Require AnyMotion AtMostOnce CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
-  Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
-  StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
+From Dumbbell.statement Require Import Statement.
+From Dumbbell.corners Require AnyMotion ForEver StartInContact.
+From Dumbbell.exact Require CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
+  Monotone NoHeavy OpenSet PublishedBound Tangency WhereEqual.
+From Dumbbell.full Require FollowFlight FullTotal.
+From Dumbbell.law Require Falls FirstSteps Law LawStatement Orbit.
+From Dumbbell.lower Require WitnessMotion.
+From Dumbbell.motion Require Determinism EveryState NoAccumulation.
+From Dumbbell.statement Require FreeFlight Newton Paper.
+From Dumbbell.theorems Require EqualMasses Exchange Maximum Piece Sanity Scaling Verdict.
+From Dumbbell.upper Require AtMostOnce LightTotal.
+From Dumbbell.wedges Require WedgeMaximum WedgeSanity.
 Local Open Scope R_scope.
 
 Theorem N_exists : forall q : R, 1 <= q -> exists n : nat, N_star q n /\ INR n < q + 5.

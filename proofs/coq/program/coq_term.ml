@@ -58,7 +58,7 @@ let write folder name text =
 
 let write_part folder k l =
   let b = Buffer.create 100000 in
-  Buffer.add_string b "From Coq Require Import ZArith NArith List.\nFrom Dumbbell Require Import Certificate Check Verdict.\n\
+  Buffer.add_string b "From Coq Require Import ZArith NArith List.\nFrom Dumbbell.checker Require Import Certificate Check.\nFrom Dumbbell.theorems Require Import Verdict.\n\
 Import ListNotations.\nLocal Open Scope N_scope.\n\
 Local Notation count a b := (Leaf (Count a b)).\nLocal Notation out := (Leaf Outside).\n\
 Local Notation half_e := (Split axis_e).\nLocal Notation half_y := (Split axis_slope).\nLocal Notation half_q := (Split axis_q).\n\
@@ -94,7 +94,8 @@ let shown = "Check proved_by_the_kernel.\nRedirect \"assumptions\" Print Assumpt
 let write_claim folder (from, upto) most least for_most for_least =
   let numbers = function C.Machine_doubles -> "Machine_doubles" | C.Bits b -> "(Bits " ^ count b ^ ")" in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals NArith.\n\
-From Dumbbell Require Import Statement Certificate Decide Decided.\n\
+From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Decide.\n\
+From Dumbbell.exact Require Import Decided.\n\
 Definition asked : claim := Build_claim %s %s %s %s.\n\
 Lemma accepted : holds %s %s asked = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\nLocal Open Scope R_scope.\n\
 Theorem proved_by_the_kernel : %s.\nProof.\n\
@@ -113,7 +114,8 @@ let write_all folder demand c =
     | most, least -> "the demand", most, least in
   let gaps, of_gaps = about_gaps (from, upto) demand in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
-From Dumbbell Require Import Statement Certificate Check Piece AtMostOnce KnownButInGaps Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
+From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Check.\n\
+From Dumbbell.upper Require Import AtMostOnce.\nFrom Dumbbell.theorems Require Import Piece KnownButInGaps Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s %s %s %b.\n\
