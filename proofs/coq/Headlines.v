@@ -4,7 +4,7 @@
 From Coq Require Import Reals.
 From Dumbbell.statement Require Import Statement.
 From Dumbbell.corners Require AnyMotion ForEver StartInContact.
-From Dumbbell.exact Require CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
+From Dumbbell.exact Require Bases CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
   Monotone NoHeavy OpenSet PublishedBound Tangency WhereEqual.
 From Dumbbell.full Require FollowFlight FullTotal.
 From Dumbbell.law Require Falls FirstSteps Law LawStatement Orbit.
@@ -62,6 +62,8 @@ Proof. exact Verdict.N_of_10. Qed.
 Theorem decided_by_orbits : forall (v w : Decide.numbers) (c : Decide.claim), Decide.holds v w c = true ->
   Decided.says c.
 Proof. exact Decided.decided_by_orbits. Qed.
+Theorem bases_hold : Bases.bases.
+Proof. exact Bases.bases_hold. Qed.
 Theorem found_true : forall (c : Decide.claim) (v w : Decide.numbers), Decide.settle c = Decide.True_by v w ->
   Decided.says c.
 Proof. exact Decided.found_true. Qed.
