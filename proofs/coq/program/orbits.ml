@@ -9,7 +9,7 @@ let bits v w =
   decimal (C.N.max (of_numbers v) (of_numbers w))
 
 let refuted q n reached =
-  Printf.sprintf "s REJECTED code=false N(q) is %s %s at q = %s, by an orbit" (if reached then "at least" else "less than") (decimal n)
+  Printf.sprintf "s REJECTED code=false N(q) is %s %s at q = %s" (if reached then "at least" else "less than") (decimal n)
     (Demand.ratio_text q)
 
 (* The verdict on the demand alone. *)
