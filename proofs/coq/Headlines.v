@@ -4,10 +4,11 @@
 From Coq Require Import Reals.
 From Dumbbell.statement Require Import Statement.
 From Dumbbell.corners Require AnyMotion ForEver StartInContact.
+From Dumbbell.checker Require ByLaw.
 From Dumbbell.exact Require Bases CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
   Monotone NoHeavy OpenSet PublishedBound Tangency WhereEqual.
 From Dumbbell.full Require FollowFlight FullTotal.
-From Dumbbell.law Require Falls FirstSteps Law LawStatement Orbit.
+From Dumbbell.law Require DecidedByLaw Falls FirstSteps GrowthSeries Law LawStatement Orbit.
 From Dumbbell.lower Require WitnessMotion.
 From Dumbbell.motion Require Determinism EveryState NoAccumulation.
 From Dumbbell.statement Require FreeFlight Newton Paper.
@@ -263,6 +264,18 @@ Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer -> LawStatement
 Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.
 Proof. exact FirstSteps.steps_hold. Qed.
+Theorem growth_between : forall n : nat, GrowthSeries.growth_sum (2 * n + 1) <= LawStatement.growth <=
+  GrowthSeries.growth_sum (2 * (n + 1)).
+Proof. exact GrowthSeries.growth_between. Qed.
+Theorem by_law_true : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit -> forall c : Decide.claim,
+  ByLaw.by_law c = ByLaw.Holds -> Decided.says c.
+Proof. exact DecidedByLaw.by_law_true. Qed.
+Theorem by_law_false : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit -> forall (c : Decide.claim)
+  (q : Certificate.ratio) (n : N) (reached : bool), ByLaw.by_law c = ByLaw.Fails q n reached -> Decided.in_range c
+  (Certificate.ratio_value q) /\ (if reached then ExactMaximum.N_at_least (Certificate.ratio_value q) (N.to_nat n) /\
+  (exists m : N, Decide.claimed_most c = Some m /\ (m < n)%N) else Decide.claimed_least c = Some n /\ ~
+  ExactMaximum.N_at_least (Certificate.ratio_value q) (N.to_nat n)).
+Proof. exact DecidedByLaw.by_law_false. Qed.
 Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)
   (u al : nat -> R) (y : R), Orbit.orbit (/ sqrt q) N n u al y.
 Proof. exact Orbit.orbit_of_critical. Qed.

@@ -1,8 +1,9 @@
-(* Claims decided without a certificate, by two orbits: what is found is proved in exact/Decided.v. *)
+(* Claims decided without a certificate, by two orbits, and where those are too long, by the law: what is found is proved in
+   exact/Decided.v and law/DecidedByLaw.v. *)
 open Convert
 
-let settle (lo, hi) most least =
-  C.settle { C.claimed_from = lo; claimed_to = hi; claimed_most = most; claimed_least = least }
+let claim (lo, hi) most least = { C.claimed_from = lo; claimed_to = hi; claimed_most = most; claimed_least = least }
+let settle range most least = C.settle (claim range most least)
 
 let bits v w =
   let of_numbers = function C.Machine_doubles -> C.Npos (C.XI (C.XO (C.XI (C.XO (C.XI C.XH))))) | C.Bits b -> b in
@@ -11,6 +12,21 @@ let bits v w =
 let refuted q n reached =
   Printf.sprintf "s REJECTED code=false N(q) is %s %s at q = %s" (if reached then "at least" else "less than") (decimal n)
     (Demand.ratio_text q)
+
+(* The hypotheses of DecidedByLaw.by_law_true and by_law_false that are not theorems. While there is one, the law gives no verdict. *)
+let law_rests_on = ["layer"; "bulk"; "end_of_orbit"]
+
+(* What no orbit decides within its budget. *)
+let examine_by_law range d =
+  let given = String.concat "," law_rests_on in
+  match C.by_law (claim range d.C.asked_most d.C.asked_least) with
+  | C.Unknown -> raise (Ended (4, "s LIMIT an orbit with more than a million collisions, or more bits than the budget allows"))
+  | C.Holds when given = "" -> "s VERIFIED scene=dumbbell by=law" ^ Demand.text d
+  | C.Fails (q, n, reached) when given = "" -> raise (Ended (1, refuted q n reached))
+  | C.Holds -> raise (Ended (3, Printf.sprintf "s OPEN scene=dumbbell by=law given=%s%s" given (Demand.text d)))
+  | C.Fails (q, n, reached) ->
+    raise (Ended (3, Printf.sprintf "s OPEN by=law given=%s it would be false: N(q) is %s %s at q = %s" given
+                    (if reached then "at least" else "less than") (decimal n) (Demand.ratio_text q)))
 
 (* The verdict on the demand alone. *)
 let examine (o : Demand.t) =
@@ -21,7 +37,7 @@ let examine (o : Demand.t) =
     Option.iter (fun folder -> Coq_term.write_claim folder range d.C.asked_most d.C.asked_least v w) o.term;
     Printf.sprintf "s VERIFIED scene=dumbbell by=orbits bits=%s%s" (bits v w) (Demand.text d)
   | C.False_at (q, n, reached) -> raise (Ended (1, refuted q n reached))
-  | C.Not_decided -> raise (Ended (4, "s LIMIT an orbit with more than a million collisions, or more bits than the budget allows"))
+  | C.Not_decided -> examine_by_law range d
 
 (* Beside the verdict on a file: does what it proves need the file? *)
 let remark range most least =
