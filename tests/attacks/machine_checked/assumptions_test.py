@@ -56,7 +56,8 @@ BAD_SOURCES = [
     'Notation "x < y" := True.', 'Section S. Notation "x < y" := (y < x). End S.', "Notation upper_bound := True.", "Local Notation PI := 3.",
     'Infix "<" := bad.', 'Reserved Notation "x < y".', "Coercion bad : nat >-> R.", "Canonical Structure bad := b.", "Arguments bad _%Z.",
     "Bind Scope Z_scope with N.", 'Add LoadPath "bad" as Bad.', 'Add ML Path "bad".', 'Cd "bad".', 'Redirect "bad" Print bad.', "Drop.",
-    "Register bad as core.bool.type.", "Set Definitional UIP.", "From Dumbbell.a.b Require Bad.", "Implicit Types x : Z.", 'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
+    "Register bad as core.bool.type.", "Set Definitional UIP.", "From Dumbbell.a.b Require Bad.", "Implicit Types x : Z.",
+    'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
 ]
 GOOD_HEADLINES = """From Coq Require Import Reals.
 From Dumbbell.statement Require Import Statement.
@@ -66,9 +67,9 @@ Theorem N_exists : forall q : R, 1 <= q ->
   exists n : nat, N_star q n.
 Proof. exact Maximum.N_exists. Qed.
 """
-BAD_HEADLINES = ["From Dumbbell.corners Require Import Stretch.", "From Dumbbell.statement Require Export Statement.", "From Dumbbell Require Maximum.", "Import Stretch.", "Local Open Scope Z_scope.",
-                 "Definition upper_bound (q : R) (n : nat) := True.", "Section S. End S.", "Module M. End M.", "From Coq Require Import ZArith.",
-                 "Theorem a : True. Proof. auto. Qed."]
+BAD_HEADLINES = ["From Dumbbell.corners Require Import Stretch.", "From Dumbbell.statement Require Export Statement.", "From Dumbbell Require Maximum.",
+                 "Import Stretch.", "Local Open Scope Z_scope.", "Definition upper_bound (q : R) (n : nat) := True.", "Section S. End S.",
+                 "Module M. End M.", "From Coq Require Import ZArith.", "Theorem a : True. Proof. auto. Qed."]
 
 AXIOM = "Classical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
 # What Coq prints of all that axioms.txt lists.
@@ -85,8 +86,7 @@ BAD_SAID = [
     "", "\n", "Axioms:\n", "Axioms:\nbad : False\n", "Axioms:\nbad' : False\n", "Axioms:\n" + AXIOM + "Dumbbell.bad' : False\n",
     "Axioms:\nbad'\n  : False\n", "Axioms:\n" + AXIOM + "bad is assumed to be guarded.\n", "Axioms:\nbad is assumed to be positive.\n",
     "Axioms:\nClassical_Prop.classic is assumed to be guarded.\n", "Axioms:\nClassical_Prop.classic\n  is assumed to be guarded.\n",
-    "Axioms:\nbad relies on an unsafe hierarchy.\n", "Axioms:\nbad relies on definitional UIP.\n",
-    "Axioms:\nx.Classical_Prop.classic : False\n",
+    "Axioms:\nbad relies on an unsafe hierarchy.\n", "Axioms:\nbad relies on definitional UIP.\n", "Axioms:\nx.Classical_Prop.classic : False\n",
     "Axioms:\nClassical_Prop.classic : True\n", "Axioms:\n" + AXIOM[:-1] + " \\/ P\n", "Axioms:\nBad." + AXIOM, "Axioms:\nLogic." + AXIOM,
     "Axioms:\nClassical_Prop.classics : False\n", "Axioms:\nClassical_Propxclassic : False\n", "Axioms:\nClassical_Prop.classic\n",
     "Axioms:\nClassical_Prop.classic :\n", "Axioms:\nbad' :\n  False\n", "Axioms:\nClassical_Prop.classic :\n" + AXIOM,
@@ -152,13 +152,10 @@ class Assumptions(unittest.TestCase):
         self.judge(lambda text: assumptions.faults_of_source(text, "checker/Other.v"), [], [text])
 
     def test_theorem(self):
-        def check(*kinds, beside=BESIDE):
-            return lambda text: assumptions.faults_of_theorem(text, beside, *kinds)
-
-        self.judge(check(), GOOD_SAID, [*BAD_SAID, COMPUTED])
-        self.judge(check("computed"), [*GOOD_SAID, COMPUTED], BAD_SAID + [COMPUTED.replace("Set", "Type")])
-        for beside in BAD_BESIDE:
-            self.judge(check("computed", beside=beside), [], [COMPUTED])
+        check = assumptions.faults_of_theorem
+        self.judge(lambda text: check(text, BESIDE), GOOD_SAID, [*BAD_SAID, COMPUTED])
+        self.judge(lambda text: check(text, BESIDE, "computed"), [*GOOD_SAID, COMPUTED], [*BAD_SAID, COMPUTED.replace("Set", "Type")])
+        self.judge(lambda beside: check(COMPUTED, beside, "computed"), [BESIDE], BAD_BESIDE)
 
     def test_context(self):
         self.judge(assumptions.faults_of_context, [GOOD_CONTEXT], BAD_CONTEXTS)
@@ -191,11 +188,10 @@ class Assumptions(unittest.TestCase):
                 return self.accepts("sources", folder)
 
             self.assertFalse(accepts(options))
-            for room in ("a", "b"):
-                (folder / room).mkdir()
-                (folder / f"{room}/{room}.v").write_text(GOOD_SOURCE)
-            (folder / "Headlines.v").write_text(GOOD_HEADLINES)
             files = ["Headlines.v", "a/a.v", "b/b.v"]
+            for file in files:
+                (folder / file).parent.mkdir(exist_ok=True)
+                (folder / file).write_text(GOOD_HEADLINES)
             self.assertTrue(accepts(options, *files))
             for listed in ([options, *files[:2]], [options, *files, "c.v"], files, ["-type-in-type", options, *files],
                            [options, "-arg -impredicative-set", *files]):
