@@ -4,8 +4,9 @@
     law_tells                      == N(q) >= n or not, as the law says
     by_law_true, by_law_false      == what is found of a claim is so *)
 From Coq Require Import Reals ZArith NArith Bool Lra Lia.
+From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Specific_ops Float.Specific_bigint.
-From Dumbbell Require Import Statement Maximum ExactMaximum LawStatement TheoremB TheoremA AtRatio.
+From Dumbbell Require Import Statement Maximum ExactMaximum LawStatement Cubes CubesTail TheoremB TheoremA AtRatio.
 From Dumbbell Require Import Certificate Multiple Decide ByLaw Decided GrowthSeries.
 Local Open Scope R_scope.
 Module X := C.Y.X.
@@ -72,19 +73,57 @@ Proof.
   - unfold growth_sum. cbn [sum_f_R0]. rewrite T. apply X.mul_in; [exact half_pi_in | exact L].
 Qed.
 
+(** Two numbers beside c0. *)
+Lemma cubes_from_in k : forall i root sum, X.inI (sqrt (INR (S i))) root -> X.inI (sum_n cube i) sum ->
+  X.inI (sum_n cube (i + k)) (cubes_from p k (Z.of_nat i) root sum).
+Proof.
+  induction k as [|k IH]; intros i root sum Hr Hs; cbn [cubes_from]; [now rewrite Nat.add_0_r|].
+  replace (i + S k)%nat with (S i + k)%nat by lia. replace (Z.of_nat i + 1)%Z with (Z.of_nat (S i)) by lia.
+  assert (R : X.inI (sqrt (INR (S (S i)))) (I.sqrt p (whole p (Z.of_nat i + 2)))).
+  { replace (INR (S (S i))) with (IZR (Z.of_nat i + 2)) by (rewrite INR_IZR_INZ; f_equal; lia). apply sqrt_in, whole_in. }
+  apply IH; [exact R|]. rewrite sum_Sn. apply X.add_in; [exact Hs|]. unfold cube.
+  replace ((sqrt (INR (S (S i))) - sqrt (INR (S i))) ^ 3) with ((sqrt (INR (S (S i))) - sqrt (INR (S i))) *
+    ((sqrt (INR (S (S i))) - sqrt (INR (S i))) * (sqrt (INR (S (S i))) - sqrt (INR (S i))))) by ring.
+  repeat apply X.mul_in; now apply X.sub_in.
+Qed.
+Lemma cubes_in m : X.inI (sum_n cube m) (cubes p m).
+Proof.
+  apply (cubes_from_in m 0).
+  - simpl. rewrite sqrt_1. apply whole_in.
+  - rewrite sum_O. unfold cube. simpl INR. rewrite sqrt_0, sqrt_1. replace ((1 - 0) ^ 3) with 1 by ring. apply whole_in.
+Qed.
+Definition correction_at (m : nat) (t : R) := 2 * step_constant * (sum_n cube m + rest m * t).
+Lemma correction_in m sum t i : X.inI (sum_n cube m) sum -> X.inI t i -> X.inI (correction_at m t) (correction p m sum i).
+Proof.
+  intros Hs Ht. assert (S3 := sqrt_lt_R0 3 ltac:(lra)). assert (S4 := sqrt_lt_R0 _ S3). assert (SP := sqrt_lt_R0 PI PI_RGT_0).
+  assert (M : 0 < sqrt (INR (S m))) by (apply sqrt_lt_R0, lt_0_INR; lia).
+  unfold correction_at, correction. apply X.mul_in.
+  - rewrite step_constant_is. apply X.div_in; [apply whole_in|].
+    apply X.mul_in; [apply X.mul_in; [apply whole_in | apply X.mul_in; [|apply sqrt_in]; apply root_3_in] | apply sqrt_in; exact (I.pi_correct p)].
+  - apply X.add_in; [exact Hs|]. apply X.mul_in; [|exact Ht]. unfold rest. apply inv_in; [lra|].
+    apply X.mul_in; [apply whole_in|]. apply sqrt_in.
+    replace (INR (S m)) with (IZR (Z.of_nat m + 1)) by (rewrite INR_IZR_INZ; f_equal; lia). apply whole_in.
+Qed.
+Lemma least_share_in m : X.inI (share m) (least_share p m).
+Proof.
+  unfold share, least_share. apply X.sub_in; [apply whole_in|].
+  replace (/ (16 * (INR (S m) * INR (S m)))) with (IZR 1 / IZR (16 * ((Z.of_nat m + 1) * (Z.of_nat m + 1)))); [apply fraction_in|].
+  rewrite !mult_IZR, plus_IZR, <- INR_IZR_INZ, S_INR. unfold Rdiv. ring.
+Qed.
+
 (** What a side encloses. *)
 Definition side_at (sign c0 : R) (n : N) (q : R) := let s := quarter q in
   c0 * s - s^2 * (log_constant * ln q + (constant_of (N.to_nat n) - sign * (0.072 + 2.6 * s))).
-Lemma side_in sign c0 n q : 1 <= ratio_value q ->
-  X.inI (side_at (IZR sign) (IZR c0 / 100) n (ratio_value q)) (side p sign c0 (N.even n) q).
+Lemma side_in sign c0 i n q : 1 <= ratio_value q -> X.inI c0 i ->
+  X.inI (side_at (IZR sign) c0 n (ratio_value q)) (side p sign i (N.even n) q).
 Proof.
-  intros Hq. set (x := ratio_value q) in *. assert (S0 : 0 < sqrt x) by (apply sqrt_lt_R0; lra). assert (S3 := sqrt_lt_R0 3 ltac:(lra)).
+  intros Hq Hi. set (x := ratio_value q) in *. assert (S0 : 0 < sqrt x) by (apply sqrt_lt_R0; lra). assert (S3 := sqrt_lt_R0 3 ltac:(lra)).
   assert (I2 : X.inI (quarter x ^ 2) (I.inv p (I.sqrt p (value p q)))).
   { rewrite quarter_square by lra. apply inv_in; [exact S0 | apply sqrt_in, value_in]. }
   assert (I1 : X.inI (quarter x) (I.sqrt p (I.inv p (I.sqrt p (value p q))))).
   { replace (quarter x) with (sqrt (quarter x ^ 2)) by (apply sqrt_pow2; left; apply Rinv_0_lt_compat, sqrt_lt_R0, S0).
     apply sqrt_in, I2. }
-  unfold side_at, side. apply X.sub_in; [apply X.mul_in; [apply fraction_in | exact I1]|].
+  unfold side_at, side. apply X.sub_in; [apply X.mul_in; [exact Hi | exact I1]|].
   apply X.mul_in; [exact I2|]. apply X.add_in.
   - apply X.mul_in; [|apply ln_in; [lra | apply value_in]]. unfold log_constant. apply X.div_in; [apply whole_in|].
     apply X.mul_in; [apply X.mul_in; [apply whole_in | apply root_3_in] | exact (I.pi_correct p)].
@@ -98,39 +137,47 @@ Proof.
       * replace 2.6 with (IZR 26 / IZR 10) by lra. apply X.mul_in; [apply fraction_in | exact I1].
 Qed.
 End Enclosed.
+Lemma correction_between m : correction_at m (share m) <= law_constant <= correction_at m 1.
+Proof.
+  unfold correction_at, law_constant. destruct (tail_close m) as [A B]. rewrite Rmult_1_r.
+  assert (K : 0 < step_constant).
+  { rewrite step_constant_is. assert (S3 := sqrt_lt_R0 3 ltac:(lra)). assert (S4 := sqrt_lt_R0 _ S3).
+    assert (SP := sqrt_lt_R0 PI PI_RGT_0). apply Rinv_0_lt_compat. repeat apply Rmult_lt_0_compat; lra. }
+  split; apply Rmult_le_compat_l; lra.
+Qed.
 
 Section Given.
 Hypothesis HL : layer.
 Hypothesis HB : bulk.
 Hypothesis HE : end_of_orbit.
 
-Theorem law_tells q n yes : 1 <= ratio_value q -> law_reaches q n = Some yes ->
+Lemma with_tells p few k mm q n yes : 1 <= ratio_value q -> reaches_with p few k mm q n = Some yes ->
   yes = true <-> N_at_least (ratio_value q) (N.to_nat n).
 Proof.
-  intros Hq. unfold law_reaches. destruct (N.ltb_spec n 903) as [L|L]; [easy|]. set (x := ratio_value q) in *.
-  set (p := precision (law_bits q)). set (k := N.to_nat (law_bits q / 24 + 10)).
+  intros Hq. unfold reaches_with. destruct (N.ltb_spec n 903) as [L|L]; [easy|]. set (x := ratio_value q) in *.
   destruct (N_exists x Hq) as [m [Hm _]].
   destruct (L56_late (N.to_nat n) x m HL HB HE ltac:(lia) Hq Hm) as [A B]. cbv zeta in A, B.
   assert (S0 : 0 <= sqrt x) by apply sqrt_pos. assert (Q0 : 0 < quarter x) by (apply Rinv_0_lt_compat, sqrt_lt_R0, sqrt_lt_R0; lra).
-  destruct c0_value as [C1 C2]. assert (G := growth_between k).
+  destruct (correction_between mm) as [C1 C2].
+  set (low := correction_at mm (share mm)) in *. set (high := correction_at mm 1) in *. assert (G := growth_between k).
   assert (E : IZR (Z.of_N n - 2) = INR (N.to_nat n) - 2) by (rewrite minus_IZR, INR_IZR_INZ, N_nat_Z; reflexivity).
   assert (Place : forall j, X.inI (growth_sum j * sqrt x - (INR (N.to_nat n) - 2)) (place p j q n)).
   { intros j. rewrite <- E. apply X.sub_in; [|apply whole_in]. apply X.mul_in; [apply partial_sum_in | apply sqrt_in, value_in]. }
-  assert (Low : law_constant * quarter x <= 0.22 * quarter x) by (apply Rmult_le_compat_r; lra).
-  assert (High : 0.17 * quarter x <= law_constant * quarter x) by (apply Rmult_le_compat_r; lra).
+  assert (Low : law_constant * quarter x <= high * quarter x) by (apply Rmult_le_compat_r; lra).
+  assert (High : low * quarter x <= law_constant * quarter x) by (apply Rmult_le_compat_r; lra).
   unfold delta in A, B. set (r := sqrt x) in *. set (s := quarter x) in *.
   set (kappa := log_constant * s^2 * ln x) in *. set (e := constant_of (N.to_nat n)) in *.
   destruct (C.pos _) eqn:P.
-  { apply (C.pos_ok (growth_sum (2 * k + 1) * r - (INR (N.to_nat n) - 2) - side_at 1 (22 / 100) n x)) in P;
-      [|apply X.sub_in; [apply Place | now apply side_in]].
+  { apply (C.pos_ok (growth_sum (2 * k + 1) * r - (INR (N.to_nat n) - 2) - side_at 1 high n x)) in P;
+      [|apply X.sub_in; [apply Place | apply (side_in few 1); [exact Hq | apply correction_in; [apply cubes_in | apply whole_in]]]].
     unfold side_at in P. fold s e in P.
     assert (Gr : growth_sum (2 * k + 1) * r <= growth * r) by (apply Rmult_le_compat_r; lra).
     intros H. injection H; intros <-. split; [|easy]. intros _. exists m. split; [exact Hm|]. apply A.
     replace (s^2 * (log_constant * ln x + (e - 1 * (0.072 + 2.6 * s)))) with
       (kappa + e * s^2 - (0.072 + 2.6 * s) * s^2) in P by (unfold kappa; ring). lra. }
   destruct (C.nonneg _) eqn:M; [|easy].
-  apply (C.nonneg_ok (side_at (-1) (17 / 100) n x - (growth_sum (2 * (k + 1)) * r - (INR (N.to_nat n) - 2)))) in M;
-    [|apply X.sub_in; [now apply side_in | apply Place]].
+  apply (C.nonneg_ok (side_at (-1) low n x - (growth_sum (2 * (k + 1)) * r - (INR (N.to_nat n) - 2)))) in M;
+    [|apply X.sub_in; [apply (side_in few (-1)); [exact Hq | apply correction_in; [apply cubes_in | apply least_share_in]] | apply Place]].
   unfold side_at in M. fold s e in M.
   assert (Gr : growth * r <= growth_sum (2 * (k + 1)) * r) by (apply Rmult_le_compat_r; lra).
   intros H. injection H; intros <-. split; [easy|]. intros [j [Hj J]]. exfalso.
@@ -138,6 +185,9 @@ Proof.
   replace (s^2 * (log_constant * ln x + (e - -1 * (0.072 + 2.6 * s)))) with
     (kappa + e * s^2 + (0.072 + 2.6 * s) * s^2) in M by (unfold kappa; ring). lra.
 Qed.
+Theorem law_tells q n yes : 1 <= ratio_value q -> law_reaches q n = Some yes ->
+  yes = true <-> N_at_least (ratio_value q) (N.to_nat n).
+Proof. apply with_tells. Qed.
 
 Lemma tried_ok q n wanted : 1 <= ratio_value q ->
   match tried q n wanted with
