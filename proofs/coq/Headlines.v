@@ -5,10 +5,10 @@ From Coq Require Import Reals.
 From Dumbbell.statement Require Import Statement.
 From Dumbbell.corners Require AnyMotion ForEver StartInContact.
 From Dumbbell.checker Require ByLaw.
-From Dumbbell.exact Require Bases CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
+From Dumbbell.exact Require CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
   Monotone NoHeavy OpenSet PublishedBound Tangency WhereEqual.
 From Dumbbell.full Require FollowFlight FullTotal.
-From Dumbbell.law Require DecidedByLaw Falls FirstSteps GrowthSeries Law LawStatement Orbit.
+From Dumbbell.law Require Bases DecidedByLaw Falls FirstSteps GrowthSeries Law LawStatement Orbit.
 From Dumbbell.lower Require WitnessMotion.
 From Dumbbell.motion Require Determinism EveryState NoAccumulation.
 From Dumbbell.statement Require FreeFlight Newton Paper.
@@ -255,11 +255,9 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
-Theorem law : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  LawStatement.the_law /\ LawStatement.law_everywhere.
+Theorem law : LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
-Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+Theorem theorem_A : forall (N : nat) (q : R), (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
   0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
 Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.
@@ -267,10 +265,10 @@ Proof. exact FirstSteps.steps_hold. Qed.
 Theorem growth_between : forall n : nat, GrowthSeries.growth_sum (2 * n + 1) <= LawStatement.growth <=
   GrowthSeries.growth_sum (2 * (n + 1)).
 Proof. exact GrowthSeries.growth_between. Qed.
-Theorem by_law_true : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit -> forall c : Decide.claim,
+Theorem by_law_true : forall c : Decide.claim,
   ByLaw.by_law c = ByLaw.Holds -> Decided.says c.
 Proof. exact DecidedByLaw.by_law_true. Qed.
-Theorem by_law_false : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit -> forall (c : Decide.claim)
+Theorem by_law_false : forall (c : Decide.claim)
   (q : Certificate.ratio) (n : N) (reached : bool), ByLaw.by_law c = ByLaw.Fails q n reached -> Decided.in_range c
   (Certificate.ratio_value q) /\ (if reached then ExactMaximum.N_at_least (Certificate.ratio_value q) (N.to_nat n) /\
   (exists m : N, Decide.claimed_most c = Some m /\ (m < n)%N) else Decide.claimed_least c = Some n /\ ~

@@ -2,6 +2,7 @@
 
     guesses, consts               == where roots are looked for, which is not trusted; enclosures of pi, 1, ...
     low, up                       == an interval's lower, upper end as a number
+    low0, up0                     == the greater of it and 0
     at_most, at_least             == computed: the ray has at most, at least, n collisions
     misses, earliest              == computed: it has none; the first one is not before here
     at_most_sound, at_least_sound == L5 (e): what is computed holds for rays above, or below, the enclosed one *)
@@ -34,6 +35,7 @@ Definition up (i : I.type) : I.type := let u := I.upper i in if F.real u then I.
 Definition nonneg i := match I.sign_large i with Xgt | Xeq => true | _ => false end.
 Definition pos i := match I.sign_strict i with Xgt => true | _ => false end.
 Definition low0 i := if nonneg i then low i else I.zero.
+Definition up0 i := if nonneg (I.neg i) then I.zero else up i.
 Definition sc (z : I.type) : I.type * I.type :=
   if negb (quick G) then (I.sin p z, I.cos p z) else
   if indom p (fast T) z then (sinT p (fast T) z, cosT p (fast T) z)
@@ -133,8 +135,6 @@ Proof.
   unfold pos. intros H Hx. generalize (I.sign_strict_correct i). destruct (I.sign_strict i); try discriminate;
     intros K; specialize (K _ Hx); simpl in K. lra.
 Qed.
-Lemma zero_in : inI 0 I.zero.
-Proof. unfold inI. rewrite I.zero_correct. simpl. lra. Qed.
 Lemma low0_ok x i : inI x i -> forall y, x <= y -> 0 <= y -> exists x0, inI x0 (low0 i) /\ x0 <= y.
 Proof.
   intros H y Hxy Hy. unfold low0. destruct (nonneg i).
@@ -157,10 +157,11 @@ Proof.
         destruct K as [K1 K2]. assert (0 <= l) by (now apply nonneg_ok with (1 := E)). lra.
   - exists 0. split; [apply zero_in | lra].
 Qed.
-Lemma single_in z : inI (proj_val (F.toX z)) (I.singleton z).
-Proof. exact (I.singleton_correct z). Qed.
-Lemma fromZ_in z : inI (IZR z) (I.fromZ p z).
-Proof. exact (I.fromZ_correct p z). Qed.
+Lemma up0_ok x i : inI x i -> exists x0, inI x0 (up0 i) /\ x <= x0.
+Proof.
+  intros H. unfold up0. destruct (nonneg (I.neg i)) eqn:E; [|now apply up_ok].
+  exists 0. split; [apply zero_in|]. assert (A := nonneg_ok _ _ E (neg_in _ _ H)). lra.
+Qed.
 Lemma pi_in : inI PI (pi_ T). Proof. rewrite HT. exact (I.pi_correct p). Qed.
 Lemma quarter_in : inI (PI/2) (quarter T). Proof. rewrite HT. apply div_in; [exact (I.pi_correct p) | apply fromZ_in].
   Qed.

@@ -100,7 +100,7 @@ Definition meets_reversed (b : fbox) : bool :=
   let '(_, w) := sc p G T (S (e1 b)) in let r := S (r1 b) in
   proper b && pos (I.sub p (quarter T) (S (e1 b))) && pos (dI w (I.mul p (S (r0 b)) (S (y0 b))) r) &&
   (let rl := I.mul p r (S (y0 b)) in
-   meets b (up (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y0 b)) (I.sqr p w))) (dI w rl r)))).
+   meets b (up0 (I.div p (I.sub p (I.add p (I.mul2 p w) rl) (I.mul p (S (y0 b)) (I.sqr p w))) (dI w rl r)))).
 
 Definition enough (Vn na nb : N) : bool := ((Vn <=? 1 + na + nb) && (na <=? most_steps) && (nb <=? most_steps))%N.
 Definition check_witness (r0 r1 e y : F.type) (na nb Vn : N) : bool :=
@@ -363,7 +363,7 @@ Proof.
     (I.mul p (S (y0 b)) (I.sqr p w))) (dI w (I.mul p (S (r1 b)) (S (y0 b))) (S (r1 b))))).
   { unfold mu. apply div_in; [|exact DIn]. apply sub_in; [apply add_in; [now apply mul2_in | exact RH]
       | apply mul_in; [apply vin | now apply sqr_in]]. }
-  destruct (up_ok _ _ MI) as [m [M1 M2]].
+  destruct (up0_ok _ _ MI) as [m [M1 M2]].
   apply (meets_sound b _ m e (mu (cos e) y r) r H4 M1); try assumption; try lra; [right; now split | exact (HB D2)].
 Qed.
 Lemma enough_ok Vn na nb : enough Vn na nb = true -> (N.to_nat Vn <= 1 + fuel na + fuel nb)%nat.

@@ -1,5 +1,4 @@
-(** What is decided by the law (checker/ByLaw.v) is true, given the conditions that Law.v takes: by L56 of law.md, for every
-    real mass ratio of a claim's range.
+(** What is decided by the law (checker/ByLaw.v) is true, by L56 of law.md, for every real mass ratio of a claim's range.
 
     law_tells                      == N(q) >= n or not, as the law says
     by_law_true, by_law_false      == what is found of a claim is so *)
@@ -19,18 +18,12 @@ Lemma fraction_in a b : X.inI (IZR a / IZR b) (fraction p a b).
 Proof. apply X.div_in; apply whole_in. Qed.
 Lemma value_in q : X.inI (ratio_value q) (value p q).
 Proof. apply fraction_in. Qed.
-Lemma sqrt_in x i : X.inI x i -> X.inI (sqrt x) (I.sqrt p i).
-Proof. exact (I.sqrt_correct p i (Xreal x)). Qed.
-Lemma inv_in x i : 0 < x -> X.inI x i -> X.inI (/ x) (I.inv p i).
-Proof.
-  intros Hx H. generalize (I.inv_correct p i (Xreal x) H). simpl. unfold Xinv'. destruct (is_zero_spec x); [lra | easy].
-Qed.
 Lemma ln_in x i : 0 < x -> X.inI x i -> X.inI (ln x) (I.ln p i).
 Proof.
   intros Hx H. generalize (I.ln_correct p i (Xreal x) H). simpl. unfold Xln'. destruct (is_positive_spec x); [easy | lra].
 Qed.
 Lemma root_3_in : X.inI (sqrt 3) (root_3 p).
-Proof. apply sqrt_in, whole_in. Qed.
+Proof. apply X.sqrt_in, whole_in. Qed.
 Lemma half_pi_in : X.inI (PI / 2) (half_pi p).
 Proof. apply X.div_in; [exact (I.pi_correct p) | apply whole_in]. Qed.
 
@@ -80,7 +73,7 @@ Proof.
   induction k as [|k IH]; intros i root sum Hr Hs; cbn [cubes_from]; [now rewrite Nat.add_0_r|].
   replace (i + S k)%nat with (S i + k)%nat by lia. replace (Z.of_nat i + 1)%Z with (Z.of_nat (S i)) by lia.
   assert (R : X.inI (sqrt (INR (S (S i)))) (I.sqrt p (whole p (Z.of_nat i + 2)))).
-  { replace (INR (S (S i))) with (IZR (Z.of_nat i + 2)) by (rewrite INR_IZR_INZ; f_equal; lia). apply sqrt_in, whole_in. }
+  { replace (INR (S (S i))) with (IZR (Z.of_nat i + 2)) by (rewrite INR_IZR_INZ; f_equal; lia). apply X.sqrt_in, whole_in. }
   apply IH; [exact R|]. rewrite sum_Sn. apply X.add_in; [exact Hs|]. unfold cube.
   replace ((sqrt (INR (S (S i))) - sqrt (INR (S i))) ^ 3) with ((sqrt (INR (S (S i))) - sqrt (INR (S i))) *
     ((sqrt (INR (S (S i))) - sqrt (INR (S i))) * (sqrt (INR (S (S i))) - sqrt (INR (S i))))) by ring.
@@ -99,9 +92,9 @@ Proof.
   assert (M : 0 < sqrt (INR (S m))) by (apply sqrt_lt_R0, lt_0_INR; lia).
   unfold correction_at, correction. apply X.mul_in.
   - rewrite step_constant_is. apply X.div_in; [apply whole_in|].
-    apply X.mul_in; [apply X.mul_in; [apply whole_in | apply X.mul_in; [|apply sqrt_in]; apply root_3_in] | apply sqrt_in; exact (I.pi_correct p)].
-  - apply X.add_in; [exact Hs|]. apply X.mul_in; [|exact Ht]. unfold rest. apply inv_in; [lra|].
-    apply X.mul_in; [apply whole_in|]. apply sqrt_in.
+    apply X.mul_in; [apply X.mul_in; [apply whole_in | apply X.mul_in; [|apply X.sqrt_in]; apply root_3_in] | apply X.sqrt_in; exact (I.pi_correct p)].
+  - apply X.add_in; [exact Hs|]. apply X.mul_in; [|exact Ht]. unfold rest. apply X.inv_in; [lra|].
+    apply X.mul_in; [apply whole_in|]. apply X.sqrt_in.
     replace (INR (S m)) with (IZR (Z.of_nat m + 1)) by (rewrite INR_IZR_INZ; f_equal; lia). apply whole_in.
 Qed.
 Lemma least_share_in m : X.inI (share m) (least_share p m).
@@ -119,10 +112,10 @@ Lemma side_in sign c0 i n q : 1 <= ratio_value q -> X.inI c0 i ->
 Proof.
   intros Hq Hi. set (x := ratio_value q) in *. assert (S0 : 0 < sqrt x) by (apply sqrt_lt_R0; lra). assert (S3 := sqrt_lt_R0 3 ltac:(lra)).
   assert (I2 : X.inI (quarter x ^ 2) (I.inv p (I.sqrt p (value p q)))).
-  { rewrite quarter_square by lra. apply inv_in; [exact S0 | apply sqrt_in, value_in]. }
+  { rewrite quarter_square by lra. apply X.inv_in; [lra | apply X.sqrt_in, value_in]. }
   assert (I1 : X.inI (quarter x) (I.sqrt p (I.inv p (I.sqrt p (value p q))))).
   { replace (quarter x) with (sqrt (quarter x ^ 2)) by (apply sqrt_pow2; left; apply Rinv_0_lt_compat, sqrt_lt_R0, S0).
-    apply sqrt_in, I2. }
+    apply X.sqrt_in, I2. }
   unfold side_at, side. apply X.sub_in; [apply X.mul_in; [exact Hi | exact I1]|].
   apply X.mul_in; [exact I2|]. apply X.add_in.
   - apply X.mul_in; [|apply ln_in; [lra | apply value_in]]. unfold log_constant. apply X.div_in; [apply whole_in|].
@@ -146,23 +139,18 @@ Proof.
   split; apply Rmult_le_compat_l; lra.
 Qed.
 
-Section Given.
-Hypothesis HL : layer.
-Hypothesis HB : bulk.
-Hypothesis HE : end_of_orbit.
-
 Lemma with_tells p few k mm q n yes : 1 <= ratio_value q -> reaches_with p few k mm q n = Some yes ->
   yes = true <-> N_at_least (ratio_value q) (N.to_nat n).
 Proof.
   intros Hq. unfold reaches_with. destruct (N.ltb_spec n 903) as [L|L]; [easy|]. set (x := ratio_value q) in *.
   destruct (N_exists x Hq) as [m [Hm _]].
-  destruct (L56_late (N.to_nat n) x m HL HB HE ltac:(lia) Hq Hm) as [A B]. cbv zeta in A, B.
+  destruct (L56_late (N.to_nat n) x m ltac:(lia) Hq Hm) as [A B]. cbv zeta in A, B.
   assert (S0 : 0 <= sqrt x) by apply sqrt_pos. assert (Q0 : 0 < quarter x) by (apply Rinv_0_lt_compat, sqrt_lt_R0, sqrt_lt_R0; lra).
   destruct (correction_between mm) as [C1 C2].
   set (low := correction_at mm (share mm)) in *. set (high := correction_at mm 1) in *. assert (G := growth_between k).
   assert (E : IZR (Z.of_N n - 2) = INR (N.to_nat n) - 2) by (rewrite minus_IZR, INR_IZR_INZ, N_nat_Z; reflexivity).
   assert (Place : forall j, X.inI (growth_sum j * sqrt x - (INR (N.to_nat n) - 2)) (place p j q n)).
-  { intros j. rewrite <- E. apply X.sub_in; [|apply whole_in]. apply X.mul_in; [apply partial_sum_in | apply sqrt_in, value_in]. }
+  { intros j. rewrite <- E. apply X.sub_in; [|apply whole_in]. apply X.mul_in; [apply partial_sum_in | apply X.sqrt_in, value_in]. }
   assert (Low : law_constant * quarter x <= high * quarter x) by (apply Rmult_le_compat_r; lra).
   assert (High : low * quarter x <= law_constant * quarter x) by (apply Rmult_le_compat_r; lra).
   unfold delta in A, B. set (r := sqrt x) in *. set (s := quarter x) in *.
@@ -236,4 +224,3 @@ Proof.
     + easy.
   - intros H. destruct (K H) as [-> [-> [A B]]]. split; [lra | now split].
 Qed.
-End Given.

@@ -1,5 +1,5 @@
 (* A certificate as Coq terms, for the kernel: --term FOLDER writes Part1.v, Part2.v, ... of at most 200 pieces each, and Whole.v with
-   the theorem, `given` what exact/Bases.v proves; of a claim without a certificate only Whole.v. It is not trusted: what is proved stands
+   the theorem, `given` what law/Bases.v proves; of a claim without a certificate only Whole.v. It is not trusted: what is proved stands
    in the theorem, which coqc prints. *)
 open Convert
 
@@ -90,18 +90,23 @@ let about_gaps (from, upto) d =
       (said width d.C.asked_gap) (said number d.C.asked_gaps),
     "  split; [|destruct (gaps_as_asked _ _ (accepted B)) as [gaps [K [W L]]]; [reflexivity|]; exists gaps; repeat apply conj;\n\
     (exact K || exact (W _ _ eq_refl) || exact (L _ eq_refl))].\n"
-let write_claim folder (from, upto) most least for_most for_least =
+type how = By_orbits of C.numbers * C.numbers | By_law
+
+let write_claim folder (from, upto) most least how =
   let numbers = function C.Machine_doubles -> "Machine_doubles" | C.Bits b -> "(Bits " ^ count b ^ ")" in
+  let computed, answer, used = match how with
+    | By_orbits (v, w) -> Printf.sprintf "holds %s %s asked" (numbers v) (numbers w), "true", "orbits _ _ _"
+    | By_law -> "by_law asked", "Holds", "law _" in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals NArith.\n\
-From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Decide.\n\
-From Dumbbell.exact Require Import Decided Bases.\n\
+From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Decide ByLaw.\n\
+From Dumbbell.exact Require Import Decided.\nFrom Dumbbell.law Require Import Bases.\n\
 Definition asked : claim := Build_claim %s %s %s %s.\n\
-Lemma accepted : holds %s %s asked = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\nLocal Open Scope R_scope.\n\
+Lemma accepted : %s = %s.\nProof. vm_cast_no_check (eq_refl %s). Qed.\nLocal Open Scope R_scope.\n\
 Theorem given : bases -> %s.\nProof.\n\
-  intros [by_orbits _] q Hq. destruct (by_orbits _ _ _ accepted q Hq) as [U V].\n\
+  intros [orbits [law _]] q Hq. destruct (%s accepted q Hq) as [U V].\n\
   repeat split; (apply U || apply V); reflexivity.\nQed.\n"
-    (ratio from) (ratio upto) (option count most) (option count least) (numbers for_most) (numbers for_least)
-    (statement (from, upto) most least false))
+    (ratio from) (ratio upto) (option count most) (option count least) computed answer answer
+    (statement (from, upto) most least false) used)
 
 let write_all folder demand c =
   let l = parts c.C.pieces in
@@ -115,11 +120,11 @@ let write_all folder demand c =
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
 From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Check.\n\
 From Dumbbell.upper Require Import AtMostOnce.\nFrom Dumbbell.theorems Require Import Piece KnownButInGaps Verdict.\n\
-From Dumbbell.exact Require Import Bases.\nFrom Kernel Require %s.\nImport ListNotations.\n\
+From Dumbbell.law Require Import Bases.\nFrom Kernel Require %s.\nImport ListNotations.\n\
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s %s %s %b.\n\
-Lemma accepted : bases -> proved asked whole.\nProof.\n  intros [_ by_parts]. apply by_parts.\n  - vm_cast_no_check (eq_refl true).\n\
+Lemma accepted : bases -> proved asked whole.\nProof.\n  intros [_ [_ parts]]. apply parts.\n  - vm_cast_no_check (eq_refl true).\n\
   - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
   - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
 Theorem given : bases -> %s%s.\nProof.\n  intros B.\n%s  intros q Hq.\n\

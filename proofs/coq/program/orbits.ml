@@ -13,20 +13,16 @@ let refuted q n reached =
   Printf.sprintf "s REJECTED code=false N(q) is %s %s at q = %s" (if reached then "at least" else "less than") (decimal n)
     (Demand.ratio_text q)
 
-(* The hypotheses of DecidedByLaw.by_law_true and by_law_false that are not theorems. While there is one, the law gives no verdict. *)
-let law_rests_on = ["layer"; "bulk"; "end_of_orbit"]
-
 (* What no orbit decides within its budget. *)
-let examine_by_law range d =
-  let given = String.concat "," law_rests_on in
+let examine_by_law (o : Demand.t) range =
+  let d = o.asked in
   match C.by_law (claim range d.C.asked_most d.C.asked_least) with
-  | C.Unknown -> raise (Ended (4, "s LIMIT an orbit with more than a million collisions, or more bits than the budget allows"))
-  | C.Holds when given = "" -> "s VERIFIED scene=dumbbell by=law" ^ Demand.text d
-  | C.Fails (q, n, reached) when given = "" -> raise (Ended (1, refuted q n reached))
-  | C.Holds -> raise (Ended (3, Printf.sprintf "s OPEN scene=dumbbell by=law given=%s%s" given (Demand.text d)))
-  | C.Fails (q, n, reached) ->
-    raise (Ended (3, Printf.sprintf "s OPEN by=law given=%s it would be false: N(q) is %s %s at q = %s" given
-                    (if reached then "at least" else "less than") (decimal n) (Demand.ratio_text q)))
+  | C.Holds ->
+    Option.iter (fun folder -> Coq_term.write_claim folder range d.C.asked_most d.C.asked_least Coq_term.By_law) o.term;
+    "s VERIFIED scene=dumbbell by=law" ^ Demand.text d
+  | C.Fails (q, n, reached) -> raise (Ended (1, refuted q n reached))
+  | C.Unknown -> raise (Ended (4, "s LIMIT an orbit with more than a million collisions, or more bits than the budget allows; too near \
+a step for the law, or one of the first 900"))
 
 (* The verdict on the demand alone. *)
 let examine (o : Demand.t) =
@@ -34,10 +30,10 @@ let examine (o : Demand.t) =
   let range = Option.get d.C.asked_range in
   match settle range d.C.asked_most d.C.asked_least with
   | C.True_by (v, w) ->
-    Option.iter (fun folder -> Coq_term.write_claim folder range d.C.asked_most d.C.asked_least v w) o.term;
+    Option.iter (fun folder -> Coq_term.write_claim folder range d.C.asked_most d.C.asked_least (Coq_term.By_orbits (v, w))) o.term;
     Printf.sprintf "s VERIFIED scene=dumbbell by=orbits bits=%s%s" (bits v w) (Demand.text d)
   | C.False_at (q, n, reached) -> raise (Ended (1, refuted q n reached))
-  | C.Not_decided -> examine_by_law range d
+  | C.Not_decided -> examine_by_law o range
 
 (* Beside the verdict on a file: does what it proves need the file? *)
 let remark range most least =

@@ -205,7 +205,7 @@ class Agreement(unittest.TestCase):
     def decided(self, ratio, *claim):
         """The exit code without a file, which the line agrees with."""
         ended = subprocess.run([PROVE, "--ratio", ratio, *map(str, claim)], capture_output=True, text=True, check=False)
-        self.assertEqual((ended.stdout or "s UNREADABLE ").split()[1], {0: "VERIFIED", 1: "REJECTED", 2: "UNREADABLE", 3: "OPEN", 4: "LIMIT"}[ended.returncode])
+        self.assertEqual((ended.stdout or "s UNREADABLE ").split()[1], {0: "VERIFIED", 1: "REJECTED", 2: "UNREADABLE", 4: "LIMIT"}[ended.returncode])
         return ended.returncode
 
     def same_numbers(self, found):
@@ -237,7 +237,7 @@ class Agreement(unittest.TestCase):
         for ratio, claim, code in (("1", "--exactly 2", 0), ("1", "--max 1", 1), ("1", "--min 3", 1), ("1.000000000000000000000001", "--min 3", 0),
                                    ("1/10", "--exactly 4", 0), ("1:1e6", "--max 887", 0), ("1:1e6", "--max 887 --min 3", 1),
                                    ("999900:1e6", "--exactly 887", 0), ("1e8", "--exactly 8857", 0), ("1e1000", "--min 5", 0),
-                                   ("1e1000", "--max 5", 1), ("10", "--max " + "9" * 2100, 0), ("10", "--min " + "9" * 2100, 1), ("1e13", "--exactly 2800499", 3), ("1e24", "--exactly 885595129454", 3),
+                                   ("1e1000", "--max 5", 1), ("10", "--max " + "9" * 2100, 0), ("10", "--min " + "9" * 2100, 1), ("1e13", "--exactly 2800499", 0), ("1e24", "--max 885595129453", 1),
                                    ("10", "--min 0", 0), ("10", "--max 0", 1), ("10", "", 2), ("2:1", "--max 5", 2), ("0", "--max 5", 2)):
             self.assertEqual(self.decided(ratio, *claim.split()), code, f"{ratio} {claim}")
         self.assertEqual(subprocess.run([PROVE, "--max", "5"], capture_output=True, check=False).returncode, 2)
