@@ -5,7 +5,7 @@
 From Coq Require Import Reals ZArith NArith Bool Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Interval.Interval Float.Specific_ops Float.Specific_bigint.
-From Dumbbell Require Import Statement Maximum ExactMaximum LawStatement Cubes CubesTail TheoremB TheoremA AtRatio.
+From Dumbbell Require Import Statement Maximum ExactMaximum LawStatement Cubes CubesTail TheoremA AtRatio.
 From Dumbbell Require Import Certificate Multiple Decide ByLaw Decided GrowthSeries.
 Local Open Scope R_scope.
 Module X := C.Y.X.

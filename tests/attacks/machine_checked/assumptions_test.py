@@ -23,7 +23,7 @@ From Coq Require Import Reals Floats.FloatAxioms.
 Section S.
 Variable x : R.
 Hypothesis Hx : 0 < x.
-Lemma positive : 0 < x. Proof. exact Hx. Qed.
+Lemma positive : 0 < x. Proof. assert (Cd := Hx). exact Cd. Qed.
 End S.
 Module Count (F : FloatOps with Definition sensible_format := true).
 Module Export Y := Fast F.
@@ -55,9 +55,9 @@ BAD_SOURCES = [
     "From Coq Require Import Reals ExtrOcamlBasic.", "Require Extraction.", "From Bad Require Import Reals.", "Require Import Bad.",
     'Notation "x < y" := True.', 'Section S. Notation "x < y" := (y < x). End S.', "Notation upper_bound := True.", "Local Notation PI := 3.",
     'Infix "<" := bad.', 'Reserved Notation "x < y".', "Coercion bad : nat >-> R.", "Canonical Structure bad := b.", "Arguments bad _%Z.",
-    "Bind Scope Z_scope with N.", 'Add LoadPath "bad" as Bad.', 'Add ML Path "bad".', 'Cd "bad".', 'Redirect "bad" Print bad.', "Drop.",
-    "Register bad as core.bool.type.", "Set Definitional UIP.", "From Dumbbell.a.b Require Bad.", "Implicit Types x : Z.",
-    'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
+    "Bind Scope Z_scope with N.", 'Add LoadPath "bad" as Bad.', 'Add ML Path "bad".', 'Cd "bad".', 'Time Cd "bad".', '#[local] Cd "bad".',
+    '- Cd "bad".', 'Redirect "bad" Print bad.', "Drop.", "Register bad as core.bool.type.", "Set Definitional UIP.", "From Dumbbell.a.b Require Bad.",
+    "Implicit Types x : Z.", 'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
 ]
 GOOD_HEADLINES = """From Coq Require Import Reals.
 From Dumbbell.statement Require Import Statement.
