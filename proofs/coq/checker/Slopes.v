@@ -1,4 +1,4 @@
-(** Intervals that know what a quantity does near U = 0 (src/verify/law/slope.hpp): what is divided by U, or by U^2,
+(** Intervals that know what a quantity does near U = 0 (src/verify/wings/law/slope.hpp): what is divided by U, or by U^2,
   must
     be small with U, and be seen to be. A quantity x is a jet of exact real numbers: its value at U,
       and a value x0 and a

@@ -1,4 +1,4 @@
-(** Condition (C11) of law.md on a part of d = u/2, computed, and that it is enough (src/verify/law/end.cpp).
+(** Condition (C11) of law.md on a part of d = u/2, computed, and that it is enough (src/verify/wings/law/end.cpp).
 
     narrow, refine   == kh from its equation; q = (Q - pi/2)/d from J - Q = d A
     beyond           == eps > 1/1000 on the whole part

@@ -1,4 +1,4 @@
-(** The rule of a leaf of the layer (src/verify/law/layer.cpp and kernel.hpp, L49, L50 and L57 of law.md), for any
+(** The rule of a leaf of the layer (src/verify/wings/law/layer.cpp and kernel.hpp, L49, L50 and L57 of law.md), for any
     calculus: with jets it is exact, with slopes it encloses. The numbers e1, ..., called rests, are what is left of
     integrals.
 
