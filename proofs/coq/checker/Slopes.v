@@ -1,8 +1,7 @@
-(** Intervals that know what a quantity does near U = 0 (src/verify/wings/law/slope.hpp): what is divided by U, or by U^2,
-  must
-    be small with U, and be seen to be. A quantity x is a jet of exact real numbers: its value at U,
-      and a value x0 and a
-    slope x1 at 0, which do not depend on U. So (x - x0)/U and ((x - x0)/U - x1)/U are numbers, and can be enclosed.
+(** Intervals that know what a quantity does near U = 0 (src/verify/wings/law/slope.hpp): what is divided by U, or by
+    U^2, must be small with U, and be seen to be. A quantity x is a jet of exact real numbers: its value at U, and a
+    value x0 and a slope x1 at 0, which do not depend on U. So (x - x0)/U and ((x - x0)/U - x1)/U are numbers, and can
+    be enclosed.
 
     jet, at_U, at_0, slope_0         == x, x0, x1
     rise_of, bend_of                 == (x - x0)/U, ((x - x0)/U - x1)/U

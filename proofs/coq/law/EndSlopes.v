@@ -1,5 +1,5 @@
-(** The end on slopes (src/verify/wings/law/end.cpp): the formulas of EndTerms.v with intervals, over a part of d = u/2. They
-    enclose the jets of EndShare.v.
+(** The end on slopes (src/verify/wings/law/end.cpp): the formulas of EndTerms.v with intervals, over a part of d =
+    u/2. They enclose the jets of EndShare.v.
 
     sinc_slope, quarter_line == sinc (k d), and pi/2 + q d
     contact_slopes           == the last contact, from enclosures of kh and q

@@ -1,6 +1,6 @@
-(** The rule of a leaf of the layer (src/verify/wings/law/layer.cpp and kernel.hpp, L49, L50 and L57 of law.md), for any
-    calculus: with jets it is exact, with slopes it encloses. The numbers e1, ..., called rests, are what is left of
-    integrals.
+(** The rule of a leaf of the layer (src/verify/wings/law/layer.cpp and kernel.hpp, L49, L50 and L57 of law.md), for
+    any calculus: with jets it is exact, with slopes it encloses. The numbers e1, ..., called rests, are what is left
+    of integrals.
 
     n_tau                          == (sin x - x cos x)/x^3
     n_root, n_G, n_G1, ..., n_G4, n_H, n_H1, n_H11 == kernels and their derivatives by F, of numbers
