@@ -24,7 +24,8 @@ Lemma frac_in a b : inI (IZR a / IZR b) (frac a b).
 Proof. apply div_in; apply fromZ_in. Qed.
 Lemma join_in a b x i j : inI a i -> inI b j -> a <= x <= b -> inI x (I.join i j).
 Proof.
-  intros Hi Hj H. apply (contains_connected (I.convert (I.join i j)) a b); [| |exact H]; apply I.join_correct; [now left | now right].
+  intros Hi Hj H. apply (contains_connected (I.convert (I.join i j)) a b); [| |exact H]; apply I.join_correct; [now
+    left | now right].
 Qed.
 Lemma bounded_in (P : R -> Prop) m i : (forall x, P x -> inI x i) -> (exists x, P x) ->
   (forall a, (forall x, P x -> a <= x) -> a <= m) -> (forall b, (forall x, P x -> x <= b) -> m <= b) -> inI m i.
@@ -64,14 +65,17 @@ Proof.
   - exists (f a), a. split; [lra | reflexivity].
   - intros c Hc. apply quotient_at_least; [exact W0|].
     refine (is_RInt_le _ _ a b _ _ (Rlt_le _ _ (proj2 Ha)) (linear_integral c a b) Ih _).
-    intros t Ht. rewrite (Hf t) by lra. apply Rmult_le_compat_l; [lra|]. apply Hc. exists t. split; [lra | reflexivity].
+    intros t Ht. rewrite (Hf t) by lra. apply Rmult_le_compat_l; [lra|]. apply Hc. exists t. split; [lra |
+      reflexivity].
   - intros c Hc. apply quotient_at_most; [exact W0|].
     refine (is_RInt_le _ _ a b _ _ (Rlt_le _ _ (proj2 Ha)) Ih (linear_integral c a b) _).
-    intros t Ht. rewrite (Hf t) by lra. apply Rmult_le_compat_l; [lra|]. apply Hc. exists t. split; [lra | reflexivity].
+    intros t Ht. rewrite (Hf t) by lra. apply Rmult_le_compat_l; [lra|]. apply Hc. exists t. split; [lra |
+      reflexivity].
 Qed.
 
 Lemma slices_in n k m : (0 < n)%nat -> (k + m <= n)%nat ->
-  inI (RInt h (INR k / INR n) (INR (k + m) / INR n)) (mean (map (fun i => (weight n i, value (slice n i))) (seq k m))).
+  inI (RInt h (INR k / INR n) (INR (k + m) / INR n)) (mean (map (fun i => (weight n i, value (slice n i))) (seq k
+    m))).
 Proof.
   intros Hn. revert k. assert (N : 0 < INR n) by (now apply lt_0_INR).
   assert (At : forall k, (k <= n)%nat -> 0 <= INR k / INR n <= 1).
@@ -84,9 +88,11 @@ Proof.
     assert (Up2 : INR (S k) / INR n <= INR (k + S m) / INR n).
     { unfold Rdiv. apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat | apply le_INR; lia]. }
     assert (A := At k ltac:(lia)). assert (B := At (S k) ltac:(lia)). assert (C := At (k + S m)%nat Hk).
-    rewrite <- (RInt_Chasles h (INR k / INR n) (INR (S k) / INR n) (INR (k + S m) / INR n)) by (apply h_integrable; lra).
+    rewrite <- (RInt_Chasles h (INR k / INR n) (INR (S k) / INR n) (INR (k + S m) / INR n)) by (apply h_integrable;
+      lra).
     apply add_in; [|replace (k + S m)%nat with (S k + m)%nat by lia; apply IH; lia]. cbn [fst snd].
-    assert (E : forall z, INR z / INR n = IZR (Z.of_nat z) / IZR (Z.of_nat n)) by (intros; now rewrite <- !INR_IZR_INZ).
+    assert (E : forall z, INR z / INR n = IZR (Z.of_nat z) / IZR (Z.of_nat n)) by (intros; now rewrite <-
+      !INR_IZR_INZ).
     apply slice_in; [lra | lra | |].
     + intros t Ht. apply (join_in (INR k / INR n) (INR (S k) / INR n)); [| |exact Ht].
       * rewrite E. apply frac_in.

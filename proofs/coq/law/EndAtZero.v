@@ -14,7 +14,8 @@ Definition contact_0 q : contact dual := {| tF := Dual PI (-1); tQ := Dual (PI/2
   twave := Dual 1 0; tdouble := Dual 1 0; tcos := Dual 1 0; tlift := Dual 0 0 |}.
 (** g2 is multiplied by d: its slope does not matter. *)
 Definition moments_0 q s : moments dual := {| tabove := Dual 1 0; tI2 := Dual (1/3) 0; tI4 := Dual 0 0;
-  tJ1 := Dual (1/3) 0; tJ3 := Dual 0 0; tg1 := Dual (H_at_0 / 2) (H_at_0 * (q + 2) / PI); tg2 := Dual (H_at_0 / PI) s |}.
+  tJ1 := Dual (1/3) 0; tJ3 := Dual 0 0; tg1 := Dual (H_at_0 / 2) (H_at_0 * (q + 2) / PI); tg2 := Dual (H_at_0 / PI) s
+    |}.
 
 Section AtZero.
 Variables q s : R.
@@ -44,7 +45,8 @@ Lemma kh_0 : tkh dual f = Dual (/ PI) (/ (PI * PI)).
 Proof. apply dual_is; simpl; field; lra. Qed.
 Lemma epsh_0 : tepsh dual f = Dual (/ (sqrt 3 * PI)) ((7 + 8 * q) / (3 * sqrt 3 * PI^2)).
 Proof.
-  destruct root3 as [T [T0 T1]]. change (tepsh dual f) with (ddiv (dmul (tkh dual f) (tcosine dual f)) (tsine dual f)).
+  destruct root3 as [T [T0 T1]]. change (tepsh dual f) with (ddiv (dmul (tkh dual f) (tcosine dual f)) (tsine dual
+    f)).
   rewrite kh_0, cosine_0, sine_0. apply dual_is; simpl; by_root T.
 Qed.
 Lemma c_0 b : ddiv (Dual 1 0) (dsqrt (dadd (Dual 1 0) (dsqr (dmul (Dual 0 1) b)))) = Dual 1 0.
@@ -54,7 +56,8 @@ Proof.
 Qed.
 Lemma A_0 : A = Dual (- / 4) (- (24 * q + 25) / (48 * PI)).
 Proof.
-  destruct root3 as [T [T0 T1]]. unfold A, offset_of. cbn [duals o_num o_add o_sub o_mul o_div o_sqr o_root contact_0 td tdouble].
+  destruct root3 as [T [T0 T1]]. unfold A, offset_of. cbn [duals o_num o_add o_sub o_mul o_div o_sqr o_root contact_0
+    td tdouble].
   rewrite c_0, cosine_0, sine_0, epsh_0. apply dual_is; simpl; by_root T.
 Qed.
 
@@ -78,7 +81,8 @@ Let m1_0 := dsub (dmul (dmul (Dual 0 1) (Dual 1 0)) (dadd (dmul (snd G) (Dual (1
   (dmul (dmul (Dual 2 0) (Dual 1 0)) (dadd (dmul (fst G) (Dual (1/3) 0)) (Dual 0 0))).
 Lemma m1_is : m1_0 = Dual (14 / (9 * sqrt 3 * PI^2)) ((26 + 16 * q) / (3 * sqrt 3 * PI^3)).
 Proof.
-  destruct root3 as [T [T0 T1]]. unfold m1_0, G, bends_of. cbn [fst snd duals o_num o_add o_sub o_mul o_div o_sqr o_root].
+  destruct root3 as [T [T0 T1]]. unfold m1_0, G, bends_of. cbn [fst snd duals o_num o_add o_sub o_mul o_div o_sqr
+    o_root].
   fold R0. fold r1. rewrite r5_0, r3_0, r1_0. apply dual_is; simpl; by_root T.
 Qed.
 Let me_0 := dadd (dadd m1_0 (dmul (dmul (Dual 4 0) (Dual (H_at_0 / 2) (H_at_0 * (q + 2) / PI))) A))
@@ -92,7 +96,8 @@ Theorem L58 : share_of dual duals (contact_0 q) f A G (moments_0 q s) =
 Proof.
   destruct root3 as [T [T0 T1]]. assert (S := sqrt_sqrt PI (Rlt_le _ _ P)). assert (S0 := sqrt_lt_R0 PI P).
   assert (f4 := sqrt_sqrt (sqrt 3) (Rlt_le _ _ T0)). assert (f0 := sqrt_lt_R0 _ T0).
-  assert (E : sqrt (/ (sqrt 3 * PI)) = / (sqrt (sqrt 3) * sqrt PI)) by (rewrite sqrt_inv, sqrt_mult_alt by lra; reflexivity).
+  assert (E : sqrt (/ (sqrt 3 * PI)) = / (sqrt (sqrt 3) * sqrt PI)) by (rewrite sqrt_inv, sqrt_mult_alt by lra;
+    reflexivity).
   assert (gh : 0 < sqrt (sqrt 3) * sqrt PI) by (now apply Rmult_lt_0_compat).
   assert (Er : dsqrt (tepsh dual f) =
     Dual (/ (sqrt (sqrt 3) * sqrt PI)) ((7 + 8 * q) / (3 * sqrt 3 * PI^2) * (sqrt (sqrt 3) * sqrt PI) / 2)).

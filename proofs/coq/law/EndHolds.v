@@ -19,7 +19,8 @@ Lemma all_parts : forallb cell (seq 0 parts) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Local Open Scope R_scope.
-Lemma which_part w d n : 0 <= d <= w * INR n -> (0 < n)%nat -> exists i, (i < n)%nat /\ w * INR i <= d <= w * INR (S i).
+Lemma which_part w d n : 0 <= d <= w * INR n -> (0 < n)%nat -> exists i, (i < n)%nat /\ w * INR i <= d <= w * INR (S
+  i).
 Proof.
   intros [D0 D1] Hn. induction n as [|n IH]; [lia|]. destruct (Rle_dec (w * INR n) d) as [L|L].
   - exists n. split; [lia | lra].

@@ -29,7 +29,8 @@ Lemma H_base d q t : at_0 (jet_H d q t) = H_at_0 /\ slope_0 (jet_H d q t) = H_at
 Proof.
   destruct root3 as [T [T0 T1]]. assert (P := PI_RGT_0).
   unfold jet_H, along, weight_H, H_at_0. cbv zeta.
-  cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline sinc_jet jcurve at_0 slope_0].
+  cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline sinc_jet jcurve at_0
+    slope_0].
   rewrite base_root. replace (PI * PI - PI / 2 * (PI / 2)) with (3/4 * (PI * PI)) by field.
   split; (field_simplify_eq; [ring [T] | repeat split; lra]).
 Qed.
@@ -37,7 +38,8 @@ Lemma H2_base d q t : at_0 (jet_H2 d q t) = 2 * H_at_0 / PI.
 Proof.
   destruct root3 as [T [T0 T1]]. assert (P := PI_RGT_0).
   unfold jet_H2, along, weight_H2, H_at_0. cbv zeta.
-  cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline sinc_jet jcurve at_0].
+  cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline sinc_jet jcurve
+    at_0].
   rewrite base_root. replace (PI * PI - PI / 2 * (PI / 2)) with (3/4 * (PI * PI)) by field.
   field_simplify_eq; [ring [T] | repeat split; lra].
 Qed.
@@ -57,7 +59,8 @@ Proof.
 Qed.
 Lemma integrand_H t : 0 <= t <= 1 -> integrand H u J t = t * at_U (jet_H d q t).
 Proof.
-  intros Ht. destruct (way t Ht) as [_ K]. destruct (radicand _ _ K) as [R1 R2]. unfold integrand. rewrite sine_on_way.
+  intros Ht. destruct (way t Ht) as [_ K]. destruct (radicand _ _ K) as [R1 R2]. unfold integrand. rewrite
+    sine_on_way.
   unfold jet_H, along, weight_H. cbv zeta.
   cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline at_U].
   fold J. replace (PI + d * - (2 * t)) with (PI - u * t) by (unfold u; ring). unfold H, root.
@@ -66,7 +69,8 @@ Proof.
 Qed.
 Lemma integrand_H2 t : 0 <= t <= 1 -> integrand H2 u J t = t * at_U (jet_H2 d q t).
 Proof.
-  intros Ht. destruct (way t Ht) as [_ K]. destruct (radicand _ _ K) as [R1 R2]. unfold integrand. rewrite sine_on_way.
+  intros Ht. destruct (way t Ht) as [_ K]. destruct (radicand _ _ K) as [R1 R2]. unfold integrand. rewrite
+    sine_on_way.
   unfold jet_H2, along, weight_H2. cbv zeta.
   cbn [jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline at_U].
   fold J. replace (PI + d * - (2 * t)) with (PI - u * t) by (unfold u; ring). replace (3 + d * 0) with 3 by ring.
@@ -74,9 +78,11 @@ Proof.
   assert (E : F * F - J * J = s * s) by (unfold s; rewrite sqrt_sqrt; lra). rewrite E. field. lra.
 Qed.
 
-Lemma integrand_continuous f t : 0 <= t <= 1 -> (forall F, J < F -> ex_derive (fun F => f F J) F) -> continuous (integrand f u J) t.
+Lemma integrand_continuous f t : 0 <= t <= 1 -> (forall F, J < F -> ex_derive (fun F => f F J) F) -> continuous
+  (integrand f u J) t.
 Proof.
-  intros Ht Hf. destruct (way t Ht) as [_ K]. apply (continuous_mult (fun t => sin (u * t) / u) (fun t => f (PI - u * t) J)).
+  intros Ht Hf. destruct (way t Ht) as [_ K]. apply (continuous_mult (fun t => sin (u * t) / u) (fun t => f (PI - u *
+    t) J)).
   - apply (ex_derive_continuous (fun t => sin (u * t) / u)). auto_derive. unfold u. lra.
   - apply (continuous_comp (fun t => PI - u * t) (fun F => f F J)).
     + apply (ex_derive_continuous (fun t => PI - u * t)). auto_derive. easy.
@@ -90,7 +96,8 @@ Proof.
     by (apply (RInt_correct (V := R_CompleteNormedModule)), weight_integrable; [lra | exact HJ | exact Hf]).
   set (X := RInt (fun x => sin x * f (PI - x) J) 0 u) in *.
   assert (C : is_RInt (fun t => scal u (sin (u * t + 0) * f (PI - (u * t + 0)) J)) 0 1 X).
-  { apply (is_RInt_comp_lin (fun x => sin x * f (PI - x) J) u 0 0 1). rewrite Rmult_0_r, Rmult_1_r, !Rplus_0_r. exact I. }
+  { apply (is_RInt_comp_lin (fun x => sin x * f (PI - x) J) u 0 0 1). rewrite Rmult_0_r, Rmult_1_r, !Rplus_0_r. exact
+    I. }
   replace (X / (u * u)) with (scal (/ (u * u)) X) by (unfold scal; simpl; unfold mult; simpl; field; lra).
   refine (is_RInt_ext _ _ _ _ _ _ (is_RInt_scal _ _ _ (/ (u * u)) _ C)). intros t _. rewrite Rplus_0_r.
   unfold integrand, scal; simpl; unfold mult; simpl. field. lra.
@@ -117,10 +124,12 @@ Proof.
   refine (is_RInt_ext _ _ _ _ _ _ (is_RInt_scal _ _ _ (/ d) _ (is_RInt_minus _ _ _ _ _ _ I L))). intros t _.
   unfold raised, scal, minus, plus, opp; simpl; unfold mult; simpl. field. lra.
 Qed.
-Lemma bent_integral g a b c X : is_RInt g 0 1 X -> is_RInt (bent g a b c) 0 1 (((X - a / 2) / d - (b / 2 + c / 3)) / d).
+Lemma bent_integral g a b c X : is_RInt g 0 1 X -> is_RInt (bent g a b c) 0 1 (((X - a / 2) / d - (b / 2 + c / 3)) /
+  d).
 Proof.
   intros I. assert (L : is_RInt (fun t => b * t + c * (t * t)) 0 1 (b / 2 + c / 3)).
-  { replace (b / 2 + c / 3) with (minus (b * (1 * 1) / 2 + c * (1 * 1 * 1) / 3) (b * (0 * 0) / 2 + c * (0 * 0 * 0) / 3))
+  { replace (b / 2 + c / 3) with (minus (b * (1 * 1) / 2 + c * (1 * 1 * 1) / 3) (b * (0 * 0) / 2 + c * (0 * 0 * 0) /
+    3))
       by (unfold minus, plus, opp; simpl; field).
     apply (is_RInt_derive (fun t => b * (t * t) / 2 + c * (t * t * t) / 3) (fun t => b * t + c * (t * t))).
     - intros t _. auto_derive; [easy | field].
@@ -128,7 +137,8 @@ Proof.
   set (Y := (X - a / 2) / d).
   replace ((Y - (b / 2 + c / 3)) / d) with (scal (/ d) (minus Y (b / 2 + c / 3)))
     by (unfold scal, minus, plus, opp; simpl; unfold mult; simpl; field; lra).
-  refine (is_RInt_ext _ _ _ _ _ _ (is_RInt_scal _ _ _ (/ d) _ (is_RInt_minus _ _ _ _ _ _ (raised_integral g a X I) L))).
+  refine (is_RInt_ext _ _ _ _ _ _ (is_RInt_scal _ _ _ (/ d) _ (is_RInt_minus _ _ _ _ _ _ (raised_integral g a X I)
+    L))).
   intros t _. unfold bent, scal, minus, plus, opp; simpl; unfold mult; simpl. field. lra.
 Qed.
 Lemma continuous_raised g a t : continuous g t -> continuous (raised g a) t.
@@ -152,7 +162,8 @@ Proof. apply is_RInt_unique, raised_integral, (weighed H). intros F HF. exact (p
 Theorem H_bend : RInt (bent (integrand H u J) H_at_0 (H_at_0 * (2 * q) / PI) (H_at_0 * 6 / PI)) 0 1 =
   ((tau_J u J / (u * u) - H_at_0 / 2) / d - H_at_0 * (q + 2) / PI) / d.
 Proof.
-  assert (P := PI_RGT_0). replace (H_at_0 * (q + 2) / PI) with (H_at_0 * (2 * q) / PI / 2 + H_at_0 * 6 / PI / 3) by (field; lra).
+  assert (P := PI_RGT_0). replace (H_at_0 * (q + 2) / PI) with (H_at_0 * (2 * q) / PI / 2 + H_at_0 * 6 / PI / 3) by
+    (field; lra).
   apply is_RInt_unique, bent_integral, (weighed H). intros F HF. exact (proj1 (smooth F HF)).
 Qed.
 Theorem H2_rise : RInt (raised (integrand H2 u J) (2 * H_at_0 / PI)) 0 1 = (tau_JJ u J / (u * u) - H_at_0 / PI) / d.

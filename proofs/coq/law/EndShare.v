@@ -19,10 +19,12 @@ Definition moment_jets d q ab m2 m4 n1 n3 g h : moments jet := {| tabove := jcur
   tg2 := {| at_U := h; at_0 := H_at_0 / PI; slope_0 := (h - H_at_0 / PI) / d |} |}.
 Definition share_jet d i m := let f := flight_of jet (jets d) i in
   share_of jet (jets d) i f (offset_of jet (jets d) i f) (bends_of jet (jets d) (tF jet i) (tQ jet i)) m.
-Theorem share_base d q l ab m2 m4 n1 n3 g h : let s := share_jet d (contact_jets d q l) (moment_jets d q ab m2 m4 n1 n3 g h) in
+Theorem share_base d q l ab m2 m4 n1 n3 g h : let s := share_jet d (contact_jets d q l) (moment_jets d q ab m2 m4 n1
+  n3 g h) in
   at_0 s = sqrt (sqrt 3) / (9 * sqrt PI) /\ slope_0 s = - (sqrt (sqrt 3) * (16 * q + 7) / (36 * (PI * sqrt PI))).
 Proof.
-  intros s. assert (E : base s = Dual (sqrt (sqrt 3) / (9 * sqrt PI)) (- (sqrt (sqrt 3) * (16 * q + 7) / (36 * (PI * sqrt PI))))).
+  intros s. assert (E : base s = Dual (sqrt (sqrt 3) / (9 * sqrt PI)) (- (sqrt (sqrt 3) * (16 * q + 7) / (36 * (PI *
+    sqrt PI))))).
   { rewrite <- (L58 q ((h - H_at_0 / PI) / d)). reflexivity. }
   now injection E.
 Qed.
@@ -108,7 +110,8 @@ Proof.
   fold d F th in V1, V2. fold Q in V1, V2. fold q in V1, V2. change (tangent_r y) with r in V1, V2. fold l in V1, V2.
   assert (Eu : u = 2 * d) by (unfold d; field).
   assert (QF : 0 < Q < F) by (assert (EF : F = PI - d) by reflexivity; lra). destruct (radicand F Q QF) as [R1 R2].
-  unfold bends_of. cbv zeta. cbn [fst snd jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv jsqr jsqrt jline at_U].
+  unfold bends_of. cbv zeta. cbn [fst snd jets o_num o_add o_sub o_mul o_div o_sqr o_root jadd jsub jmul jdiv jinv
+    jsqr jsqrt jline at_U].
   cbn [contact_jets tF tQ jline at_U] in V1, V2. cbn [contact_jets tF tQ jline at_U]. rewrite V1, V2.
   unfold G1, G2, root. set (s := sqrt (F * F - Q * Q)) in *.
   assert (E : F * F - Q * Q = s * s) by (unfold s; rewrite sqrt_sqrt; lra). rewrite E. split; field; lra.
@@ -116,7 +119,8 @@ Qed.
 Theorem share_value : at_U (share_jet d (contact_jets d q l) m) = (clock eps u al - 1) / sqrt eps.
 Proof.
   destruct (last_facts eps u al y H Heps Hu HQ HJ) as [D [E0 [Y [Sy [C [S [al0 [T [N [J0 [Q0 F0]]]]]]]]]]].
-  fold d in D, N, J0, Q0, F0. fold F th in C, S, T, N, J0, Q0, F0. fold Q J in J0, Q0. change (tangent_r y) with r in N.
+  fold d in D, N, J0, Q0, F0. fold F th in C, S, T, N, J0, Q0, F0. fold Q J in J0, Q0. change (tangent_r y) with r in
+    N.
   destruct (contact_values eps u al y H Heps Hu HQ HJ) as [V1 [V2 [V3 [V4 [V5 [V6 V7]]]]]].
   destruct (flight_values eps u al y H Heps Hu HQ HJ) as [A1 [A2 [A3 A4]]].
   assert (A5 := offset_value eps u al y H Heps Hu HQ HJ). destruct bends_value as [B1 B2].
@@ -134,7 +138,8 @@ Proof.
   assert (Er : sqrt (at_U (tepsh jet f)) = sqrt eps / d).
   { rewrite A4. rewrite sqrt_div_alt by pos. now rewrite sqrt_square by lra. }
   transitivity ((d * (sin d / d) * (G2 F Q * (moment_cos d 2 / d^3) + moment_cos d 4 * a4 / 12 / d^3) -
-    2 * cos d * (G1 F Q * (moment_sin d 1 / d^3) + moment_sin d 3 * a3 / 6 / d^3) + 4 * (tau_J u Q / (u * u)) * ((J - Q) / d) +
+    2 * cos d * (G1 F Q * (moment_sin d 1 / d^3) + moment_sin d 3 * a3 / 6 / d^3) + 4 * (tau_J u Q / (u * u)) * ((J -
+      Q) / d) +
     2 * (d * (X / (u * u))) * ((J - Q) / d * ((J - Q) / d))) * / (2 * (eps / (d * d)) * (sqrt eps / d)) -
     d * (sin y / (d * d)) * (2 * r / (sin y * sin y)) * / (4 * F * (sqrt eps / d))).
   { unfold share_jet. cbv zeta. fold i f A G. unfold share_of.
@@ -143,11 +148,14 @@ Proof.
     cbn [tabove tI2 tI4 tJ1 tJ3 tg1 tg2 jcurve at_U]. fold d.
     replace (1 / 3 + d * d * ((moment_cos d 2 / d^3 - 1/3) / (d * d))) with (moment_cos d 2 / d^3) by (field; lra).
     replace (1 / 3 + d * d * ((moment_sin d 1 / d^3 - 1/3) / (d * d))) with (moment_sin d 1 / d^3) by (field; lra).
-    replace (0 + d * d * (moment_cos d 4 * a4 / 12 / d^3 / (d * d))) with (moment_cos d 4 * a4 / 12 / d^3) by (field; lra).
-    replace (0 + d * d * (moment_sin d 3 * a3 / 6 / d^3 / (d * d))) with (moment_sin d 3 * a3 / 6 / d^3) by (field; lra).
+    replace (0 + d * d * (moment_cos d 4 * a4 / 12 / d^3 / (d * d))) with (moment_cos d 4 * a4 / 12 / d^3) by (field;
+      lra).
+    replace (0 + d * d * (moment_sin d 3 * a3 / 6 / d^3 / (d * d))) with (moment_sin d 3 * a3 / 6 / d^3) by (field;
+      lra).
     replace (1 + d * d * ((2 * r / (sin y * sin y) - 1) / (d * d))) with (2 * r / (sin y * sin y)) by (field; lra).
     replace (2 + d * 0) with 2 by ring. replace (4 + d * 0) with 4 by ring. reflexivity. }
-  replace ((clock eps u al - 1) / sqrt eps) with (2 * eps * (clock eps u al - 1) / (2 * eps * sqrt eps)) by (field; lra).
+  replace ((clock eps u al - 1) / sqrt eps) with (2 * eps * (clock eps u al - 1) / (2 * eps * sqrt eps)) by (field;
+    lra).
   rewrite L. replace u with (2 * d) by (unfold d; field). field. repeat split; lra.
 Qed.
 End Last.

@@ -1,4 +1,4 @@
-(** The end on slopes (src/verify/law/end.cpp): the formulas of EndTerms.v with intervals, over a part of d = u/2. That they
+(** The end on slopes (src/verify/law/end.cpp): the formulas of EndTerms.v with intervals, over a part of d = u/2. They
     enclose the jets of EndShare.v.
 
     sinc_slope, quarter_line == sinc (k d), and pi/2 + q d
@@ -11,7 +11,8 @@
 From Coq Require Import Reals ZArith Lra List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
-From Dumbbell Require Import Signs Tails PiValue Clock Midpoint Defect Slopes Terms Means EndTerms EndAtZero EndContact EndShare
+From Dumbbell Require Import Signs Tails PiValue Clock Midpoint Defect Slopes Terms Means EndTerms EndAtZero
+  EndContact EndShare
   EndIntegrals.
 Local Open Scope R_scope.
 
@@ -44,8 +45,10 @@ Definition contact_slopes (kh q : I.type) : contact slope :=
      tcos := curve p part (num 1) (I.neg (num 1 / num 2 * (num 1 - d2 / num 12 * zero_to_one)))%i;
      tlift := curve p part I.zero (lift_i kh) |}.
 Definition slices (n : nat) (f : slope -> slope -> slope) : list (I.type * slope) :=
-  map (fun i => let k := I.mul2 p (slice p n i) in (weight p n i, f (sinc_slope (sq k)) (line p part pi_i (I.neg k)))) (seq 0 n).
-Definition mean_of (field : slope -> I.type) (l : list (I.type * slope)) := mean p (map (fun s => (fst s, field (snd s))) l).
+  map (fun i => let k := I.mul2 p (slice p n i) in (weight p n i, f (sinc_slope (sq k)) (line p part pi_i (I.neg
+    k)))) (seq 0 n).
+Definition mean_of (field : slope -> I.type) (l : list (I.type * slope)) := mean p (map (fun s => (fst s, field (snd
+  s))) l).
 Definition integral_H (n : nat) (q : I.type) : slope :=
   let l := slices n (fun w F => weight_H _ (slopes p part) w F (quarter_line q)) in
   {| zero := half_H; first := I.mul2 p half_H * (q + num 2) / pi_i; rise := mean_of rise l; bend := mean_of bend l;
@@ -58,7 +61,8 @@ Definition integral_H2 (n : nat) (q : I.type) : slope :=
 Definition far_3 (F Q : I.type) := let r := I.sqrt p (sq F - sq Q)%i in let r3 := (r * sq r)%i in
   (I.neg Q * (num 6 / (sq (sq F) * r) + num 3 / (sq F * r3) + num 15 * sq F / (r * sq r3)))%i.
 Definition far_4 (F Q : I.type) := let r := I.sqrt p (sq F - sq Q)%i in let r3 := (r * sq r)%i in
-  (Q * (num 24 / (F * sq (sq F) * r) + num 12 / (F * sq F * r3) + num 9 / (F * (r * sq (sq r))) - num 30 * F / (r * sq r3) +
+  (Q * (num 24 / (F * sq (sq F) * r) + num 12 / (F * sq F * r3) + num 9 / (F * (r * sq (sq r))) - num 30 * F / (r *
+    sq r3) +
         num 105 * (F * sq F) / (r * sq (sq (sq r)))))%i.
 (** From kh, q and (J - pi/2)/d. *)
 Definition moment_slopes (n1 n2 : nat) (kh q x : I.type) : moments slope :=
@@ -88,7 +92,8 @@ Lemma H_at_0_in : inI (H_at_0 / 2) half_H.
 Proof.
   destruct root3 as [T [T0 T1]]. assert (P := PI_RGT_0).
   replace (H_at_0 / 2) with (4 / (3 * sqrt 3 * (PI * PI))) by (unfold H_at_0; field; lra).
-  apply div_in; [apply fromZ_in|]. apply mul_in; [apply mul_in; [apply fromZ_in | apply X.sqrt_in, fromZ_in] | apply X.sqr_in, pi_in].
+  apply div_in; [apply fromZ_in|]. apply mul_in; [apply mul_in; [apply fromZ_in | apply X.sqrt_in, fromZ_in] | apply
+    X.sqr_in, pi_in].
 Qed.
 Lemma double_H_in : inI H_at_0 (I.mul2 p half_H).
 Proof. replace H_at_0 with (2 * (H_at_0 / 2)) by field. apply mul2_in, H_at_0_in. Qed.
@@ -97,13 +102,15 @@ Proof. replace H_at_0 with (2 * (H_at_0 / 2)) by field. apply mul2_in, H_at_0_in
 Lemma first_tails x : 0 <= x <= 1 -> (exists b, 0 <= b <= 1 /\ tail_sin x = 1 - x^2 / 20 * b) /\
   (exists b, 0 <= b <= 1 /\ tail_cos x = 1 - x^2 / 12 * b).
 Proof.
-  intros Hx. assert (X2 : 0 <= x^2 <= 1) by (split; [apply pow2_ge_0 | replace 1 with (1^2) by ring; apply pow_incr; lra]).
+  intros Hx. assert (X2 : 0 <= x^2 <= 1) by (split; [apply pow2_ge_0 | replace 1 with (1^2) by ring; apply pow_incr;
+    lra]).
   assert (K : forall m n b, 2 <= m -> 2 <= n -> 0 <= b <= 1 -> 0 <= 1 - x^2 / m * (1 - x^2 / n * b) <= 1).
   { intros m n b Hm Hn Hb.
     assert (W : forall k, 2 <= k -> 0 <= x^2 / k <= 1/2).
     { intros k Hk. split; [pos | apply Quotients.quotient_at_most; lra]. }
     assert (A := W m Hm). assert (B := W n Hn). assert (0 <= x^2 / n * b <= 1/2 * 1) by (split; pos).
-    assert (0 <= x^2 / m * (1 - x^2 / n * b) <= 1/2 * 1) by (split; [apply Rmult_le_pos | apply Rmult_le_compat]; lra). lra. }
+    assert (0 <= x^2 / m * (1 - x^2 / n * b) <= 1/2 * 1) by (split; [apply Rmult_le_pos | apply Rmult_le_compat];
+      lra). lra. }
   split.
   - destruct (tail_sin_is x) as [b [B E]]. eexists. split; [apply (K 42 72 b); lra | exact E].
   - destruct (tail_cos_is x) as [b [B E]]. eexists. split; [apply (K 30 56 b); lra | exact E].
@@ -117,20 +124,25 @@ Proof.
   apply mul_in; [apply div_in; [apply mul_in; [exact H | exact d2_in] | apply fromZ_in] | now apply unit_in].
 Qed.
 Lemma quarter_encl q qi : inI q qi -> encl d (jline d (PI/2) q) (quarter_line qi).
-Proof. intros H. apply line_encl; [exact not_0 | exact Hp | apply div_in; [exact pi_in | apply fromZ_in] | exact H]. Qed.
+Proof. intros H. apply line_encl; [exact not_0 | exact Hp | apply div_in; [exact pi_in | apply fromZ_in] | exact H].
+  Qed.
 
-Record contact_encl (i : contact jet) (s : contact slope) : Prop := { eF : encl d (tF _ i) (tF _ s); eQ : encl d (tQ _ i) (tQ _ s);
+Record contact_encl (i : contact jet) (s : contact slope) : Prop := { eF : encl d (tF _ i) (tF _ s); eQ : encl d (tQ
+  _ i) (tQ _ s);
   ed : encl d (td _ i) (td _ s); ewave : encl d (twave _ i) (twave _ s); edouble : encl d (tdouble _ i) (tdouble _ s);
   ecos : encl d (tcos _ i) (tcos _ s); elift : encl d (tlift _ i) (tlift _ s) }.
 Record flight_encl (f : flight jet) (s : flight slope) : Prop := { ekh : encl d (tkh _ f) (tkh _ s);
-  ecosine : encl d (tcosine _ f) (tcosine _ s); esine : encl d (tsine _ f) (tsine _ s); eepsh : encl d (tepsh _ f) (tepsh _ s) }.
+  ecosine : encl d (tcosine _ f) (tcosine _ s); esine : encl d (tsine _ f) (tsine _ s); eepsh : encl d (tepsh _ f)
+    (tepsh _ s) }.
 Record moments_encl (m : moments jet) (s : moments slope) : Prop := { eabove : encl d (tabove _ m) (tabove _ s);
   eI2 : encl d (tI2 _ m) (tI2 _ s); eI4 : encl d (tI4 _ m) (tI4 _ s); eJ1 : encl d (tJ1 _ m) (tJ1 _ s);
   eJ3 : encl d (tJ3 _ m) (tJ3 _ s); eg1 : encl d (tg1 _ m) (tg1 _ s); eg2 : encl d (tg2 _ m) (tg2 _ s) }.
 
-Lemma contact_jets_encl q qi l kh : inI q qi -> inI l (lift_i kh) -> contact_encl (contact_jets d q l) (contact_slopes kh qi).
+Lemma contact_jets_encl q qi l kh : inI q qi -> inI l (lift_i kh) -> contact_encl (contact_jets d q l)
+  (contact_slopes kh qi).
 Proof.
-  assert (HN := not_0). intros Hq Hl. constructor; cbn [contact_jets contact_slopes tF tQ td twave tdouble tcos tlift].
+  assert (HN := not_0). intros Hq Hl. constructor; cbn [contact_jets contact_slopes tF tQ td twave tdouble tcos
+    tlift].
   - apply line_encl; [exact HN | exact Hp | exact pi_in | apply fromZ_in].
   - now apply quarter_encl.
   - apply line_encl; [exact HN | exact Hp | exact zero_in | apply fromZ_in].

@@ -31,7 +31,8 @@ Definition flight_of (i : contact) : flight :=
   let sine := root (num 1 - sqr cosine)%t in
   {| tkh := kh; tcosine := cosine; tsine := sine; tepsh := (kh * cosine / sine)%t |}.
 Definition offset_of (i : contact) (f : flight) : T :=
-  let b := (tepsh f / (num 2 * tdouble i))%t in let db := (td i * b)%t in let c := (num 1 / root (num 1 + sqr db))%t in
+  let b := (tepsh f / (num 2 * tdouble i))%t in let db := (td i * b)%t in let c := (num 1 / root (num 1 + sqr db))%t
+    in
   (c * tcosine f * (twave i / (num 2 * tcos i) - num 1 + tlift i / (num 2 * tdouble i)) -
    tQ i * td i * sqr (b * c) / (num 1 + c) - tsine f * db * c)%t.
 Definition bends_of (F Q : T) : T * T :=

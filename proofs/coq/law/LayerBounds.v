@@ -1,102 +1,24 @@
 (** A leaf that passes [slope_leaf] has the conditions (C6) and (C7) at each of its steps.
 
     layer_bounds                == (C6) and (C7) of one step
-    second_start, second_at     == a part of tau_JJ, at U = 0 and at U
-    second_in                   == tau_JJ's rise is enclosed
     slope_leaf_sound            == the leaf's bounds are those of the law *)
 From Coq Require Import Reals ZArith Lra Lia List Bool.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Real.Xreal Float.Basic Float.Sig Interval.Interval Interval.Float Interval.Float_full.
 From Dumbbell Require Import Quotients PiValue LawStatement Falls Ends Sizes Cubes Clock Midpoint Defect Differences
   Comparison Slopes Calculus LayerRule
-  LayerRelated LayerValues LayerStart NodeRule LayerIntegrals LayerRests LayerPlace LayerState LayerLeaf LayerSound.
+  LayerRelated LayerValues LayerStart NodeRule LayerIntegrals LayerRests LayerPlace LayerState LayerLeaf
+  LayerSound LayerPieces.
 Import ListNotations.
 Local Open Scope R_scope.
 
-Definition layer_bounds eps u al u' al' := let T := clock eps u al in let y := place eps T in let Delta := difference
-  T in
+Definition layer_bounds eps u al u' al' := let T := clock eps u al in let y := place eps T in
+  let Delta := difference T in
   comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * Delta^2)) <= defect eps u al u' al' <=
     comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)).
 
-Lemma second_start U k x1 : at_0 (second_order (exact U) k (jline U (PI / 2) x1)) = 2 * h0.
-Proof.
-  destruct root3 as [T [T0 [T1 P]]]. destruct (start_radicand U k (jline U (PI / 2) x1) x1 ltac:(split;
-    reflexivity)) as [K1 K2].
-  unfold second_order, s_H2. cbn [s_sinc exact s_mul s_inv s_line s_root s_sub s_sqr s_scale n_neg n_pi n_Z].
-  set (R := jsub _ _) in *. destruct K1 as [K1 _], K2 as [K2 _].
-  cbn [jmul jinv jsqrt jsqr jscale s_curve jcurve jline at_0]. change (sqrt (at_0 R)) with (at_0 (jsqrt R)).
-  rewrite K1, K2. unfold h0.
-  cbn. field. lra.
-Qed.
-Lemma second_at U x x1 : 0 < U -> 0 < x -> let X := PI / 2 + U * x1 in 0 < X < PI - x ->
-  at_U (second_order (exact U) (x / U) (jline U (PI / 2) x1)) = kernel (fun F => H2 F X) x.
-Proof.
-  intros HU Hx X HX. unfold second_order, s_H2.
-  rewrite sinc_jet by (replace (x / U * U) with x by (field; lra); exact Hx).
-  cbn [s_mul s_inv s_line s_root s_sub s_sqr s_scale exact jmul jinv jline jsqrt jsub jsqr jscale at_U n_neg n_pi
-    n_Z].
-  fold X. replace (PI + U * - (x / U)) with (PI - x) by (field; lra). replace (x / U * U) with x by (field; lra).
-  unfold kernel, H2, root. destruct (radicand (PI - x) X HX) as [A B]. assert (S := sqrt_sqrt _ (Rlt_le _ _ A)).
-  set (r := sqrt _) in *. rewrite <- S. field. lra.
-Qed.
-Lemma tau_JJ_ready u j : 0 <= u -> 0 < j < PI - u -> forall a b, 0 <= a -> a <= b <= u -> ex_RInt (fun x =>
-  sin x * H2 (PI - x) j) a b.
-Proof.
-  intros Hu Hj x y Hx Hy. apply (ex_RInt_Chasles_2 (V := R_CompleteNormedModule) (fun x =>
-    sin x * H2 (PI - x) j) 0 x y ltac:(lra)).
-  apply weight_integrable; [lra | lra |]. intros F HF. exact (proj2 (H_smooth j F ltac:(lra))).
-Qed.
-
 Module LayerBounds (F : FloatOps with Definition sensible_format := true).
-Module Export N := LayerSound F.
-Section Bounds.
-Variable p : F.precision.
-Notation frac a b := (I.div p (I.fromZ p a) (I.fromZ p b)).
-Let c := make_constants p 12 8.
-Variables U : R.
-Variables Ui : I.type.
-Hypothesis U0 : 0 < U.
-Hypothesis HU : inI U Ui.
-Let C := exact U.
-Let C' := enclosing p (c_table c) Ui.
-Let rel : related C C' inI (encl U) := enclosing_related p U Ui (Rgt_not_eq _ _ U0) HU.
-
-Lemma second_in w kf ki x1 xi : 0 < w -> kf * U = w -> inI kf ki -> inI x1 xi -> 0 < PI / 2 + U * x1 < PI - w ->
-  inI ((tau_JJ w (PI / 2 + U * x1) / w^2 - h0) / U) (rise_of_second p c Ui ki xi).
-Proof.
-  intros Hw Ew Hk Hx HX. set (X := PI / 2 + U * x1) in *.
-  assert (Rd := tau_JJ_ready w X ltac:(lra) ltac:(lra)).
-  assert (E : (tau_JJ w X / w^2 - 2 * h0 / 2) / U = _) by exact (second_is (fun F =>
-    H2 F X) U w (2 * h0) 8 U0 Hw ltac:(lia) Rd whole_way).
-  replace (2 * h0 / 2) with h0 in E by field. rewrite E. unfold rise_of_second.
-  assert (HX' : encl U (jline U (PI / 2) x1) (line p Ui (c_half_pi c) xi)).
-  { apply (line_encl p U (Rgt_not_eq _ _ U0)); [exact HU | exact (proj1 (proj2 (proj2 (constants_in p)))) | exact Hx].
-    }
-  assert (Hall : forall i, In i (upto 0 8) -> (0 <= i < 8)%Z).
-  { intros i Hin. unfold upto in Hin. apply in_map_iff in Hin. destruct Hin as [k [<- Hk']]. apply in_seq in Hk'. lia.
-    }
-  change (c_parts c) with (map (fun i => (I.join (frac i 8) (frac (i + 1) 8),
-    frac (2 * i + 1) (2 * 8 * 8)))%Z (upto 0 8)).
-  change (upto 0 (Z.to_nat 8)) with (upto 0 8). revert Hall. generalize (upto 0 8).
-  intros l. induction l as [|i l IH]; intros Hall; cbn [map fold_right]; [apply zero_in|].
-  apply add_in; [|apply IH; intros k Hk'; apply Hall; now right]. apply mul_in; [|apply frac_in].
-  assert (Hi := Hall i ltac:(now left)). apply (mean_in _ _ _ _ (part_rise_mean (fun F =>
-    H2 F X) U w (2 * h0) 8 U0 Hw ltac:(lia) Rd i Hi)).
-  intros x Hxi. assert (C0 := cuts_range w 8 Hw ltac:(lia) i ltac:(lia)).
-  assert (C1 := cuts_range w 8 Hw ltac:(lia) (i + 1) ltac:(lia)).
-  cbv beta in C0, C1.
-  assert (Ht : inI (x / U) (I.mul p ki (I.join (frac i 8) (frac (i + 1) 8)))).
-  { replace (x / U) with (kf * (x / w)) by (rewrite <- Ew; field; split; [lra | intros E0;
-    rewrite E0, Rmult_0_l in Ew; lra]).
-    apply mul_in; [exact Hk|]. apply (join_in (IZR i / IZR 8) (IZR (i + 1) / IZR 8));
-      [apply frac_in | apply frac_in |].
-    fold (cut 8 i) (cut 8 (i + 1)). split; [apply quotient_at_least | apply quotient_at_most]; lra. }
-  assert (R := r_second_order C C' inI (encl U) rel _ _ _ _ HX' Ht). destruct R as (_ & _ & R & _).
-  unfold rise_of in R. unfold C in R. rewrite second_start in R. rewrite (second_at U x x1 U0 ltac:(lra)) in R;
-    [exact R | fold X; lra].
-Qed.
-End Bounds.
-
+Module Export O := LayerPieces F.
 Definition implies (P : Prop) (b : bool) := b = true -> P.
 Section Leaf.
 Variable p : F.precision.
@@ -121,8 +43,6 @@ Let rel : related C C' inI (encl U) := Hrel p eps u al u' al' HL Ui HU.
 Let Qj := jline U (PI / 2) (rho * rho * q).
 Let nodes := nodes_of 12.
 
-Lemma unit_of t : 0 <= t <= 1 -> inI t (t_unit (c_table c)).
-Proof. intros Ht. exact (unit_in p t Ht). Qed.
 Theorem slope_leaf_sound : slope_leaf p c Ui ri = true -> layer_bounds eps u al u' al'.
 Proof.
   change (implies (layer_bounds eps u al u' al') (slope_leaf p c Ui ri)). cbv beta delta [slope_leaf].
@@ -148,7 +68,7 @@ Proof.
   assert (Eu : (1 + rho) * U = u) by lra. assert (Eu' : (1 - rho) * U = u') by lra.
   take xi. assert (Hx : forall x, 0 < x < u -> inI x xi).
   { intros x Hx. replace x with (x / u * ((1 + rho) * U)) by (rewrite Eu; field; lra). apply mul_in.
-    - apply unit_of. split; [apply quotient_at_least | apply quotient_at_most]; lra.
+    - apply (unit_of p). split; [apply quotient_at_least | apply quotient_at_most]; lra.
     - apply mul_in; [exact Hplus | exact HU]. }
   clearbody xi.
   take r2. assert (Hr2 : inI (rho * rho) r2) by (now apply sqr_in). clearbody r2.
@@ -200,76 +120,20 @@ Proof.
         [exact Hr2 | apply Z]]. }
   clearbody meani.
   take bothi. set (both := both_of C rho mean way).
-  assert (Hboth : encl U both bothi).
-  { assert (B := r_both C C' inI (encl U) rel rho ri Hr _ _ _ _ Hmean Hway).
-    destruct (start_both U rho q F_rho nodes half_way (mean_rest eps u al u') (tau_J_rest eps u al u' 12)) as [B0 B1].
-    destruct (start_of_H U rho q) as [[S0 S1] ST].
-    assert (HR : encl U (jshift (jneg (jsqr Qj)) (PI * PI)) (shift p (neg (sqr p Qi)) (I.sqr p (t_pi (c_table c)))))
-      by (apply shift_encl; [exact Hne | apply neg_encl; [exact Hne | now apply sqr_encl] | now apply sqr_in]).
-    assert (H3 : encl U (R3 U rho q) (inv p (mul p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi (c_table c))))
-        (root p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi (c_table c))))))))
-      by (apply inv_encl; [exact Hne|]; apply mul_encl; [exact Hne | exact HR | now apply root_encl]).
-    assert (HT : encl U (turn U rho q) (sub p (scale p (mul p (inv p (mul p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi
-      (c_table c))))
-        (root p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi (c_table c))))))) (inv p (shift p (neg (sqr p Qi)) (I.sqr p
-          (t_pi (c_table c))))))
-        (I.mul p (I.fromZ p 3) (I.sqr p (t_pi (c_table c))))) (inv p (mul p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi
-          (c_table c))))
-        (root p (shift p (neg (sqr p Qi)) (I.sqr p (t_pi (c_table c)))))))))
-      by (apply sub_encl; [exact Hne | apply scale_encl; [exact Hne | apply mul_encl;
-        [exact Hne | exact H3 | now apply inv_encl] |
-        apply mul_in; [apply Z | now apply sqr_in]] | exact H3]).
-    assert (HA := scale_encl p U Hne _ _ _ _ H3 HP). destruct HA as (A0 & A1 & _). destruct HT as (T0 & _).
-    rewrite S0 in A0. rewrite S1 in A1. rewrite ST in T0. destruct B as (_ & _ & B2 & B3 & B4).
-    split; [|split; [|split; [exact B2|split; [exact B3 | exact B4]]]].
-    - change (inI (at_0 both) (zero (both_anchored p c Qi (both_of C' ri meani wayi)))).
-      replace (at_0 both) with H0 by (symmetry; exact B0). exact A0.
-    - change (inI (slope_0 both) (first (both_anchored p c Qi (both_of C' ri meani wayi)))).
-      replace (slope_0 both) with (2 * (rho * rho * q) * H0 / PI + 4 / 3 * (3 * H0 / PI))
-        by (transitivity (H0 * (2 * (rho * rho * q) + 4) / PI); [field; lra | symmetry; exact B1]).
-      apply (add_in p); [exact A1 | apply mul_in; [apply Fr | exact T0]]. }
+  assert (Hboth : encl U both bothi) by exact (both_in p eps u al u' al' HL Ui ri HU Hr Qi meani wayi HQi Hmean Hway).
   clearbody bothi.
   take Fi. assert (HF : inI (PI - U) Fi) by (apply (sub_in p); [exact HP | exact HU]). clearbody Fi.
   take fari. assert (Hfar : forall z, PI - U - d <= z <= PI - U + d -> inI z fari).
   { intros z Hz. apply (join_in (PI - U - d) (PI - U + d)); [now apply sub_in | now apply (add_in p) | exact Hz]. }
   clearbody fari.
   destruct (sizes_are _ _ _ _ _ HL Qj AQ) as (Vs & Vc & _). fold U d rho C s in Vs, Vc.
-  assert (Hw : forall w A k0 n0, 0 < k0 -> A * (1 - k0) <= w <= A -> 0 < A -> A = (d / U)^2 / 5 -> k0 = d^2 / n0 ->
-    0 < n0 -> forall ni, inI (/ n0) ni ->
-    inI w (I.mul p (I.div p r2 (I.fromZ p 5)) (I.sub p (I.fromZ p 1) (I.mul p (I.mul p d2i ni) (t_unit (c_table
-      c)))))).
-  { intros w A k0 n0 Hk0 Hw HA -> -> Hn0 ni Hni. destruct (share_of w _ _ HA Hk0 Hw) as [t [Ht ->]]. apply mul_in.
-    - change (d / U) with rho. replace (rho^2) with (rho * rho) by ring. apply div_in; [exact Hr2 | apply Z].
-    - apply sub_in; [apply Z|]. apply mul_in; [|now apply unit_of]. replace (d^2) with (d * d) by ring.
-      now apply mul_in. }
-  assert (dd : 0 < d^2) by (apply pow_lt; lra). assert (rr : 0 < (d / U)^2) by (apply pow_lt; exact (proj1 F_rho)).
-  destruct (weights U d ltac:(lra) ltac:(lra)) as [W4 W3].
-  assert (H4 := Hw (weight4 U d) ((d / U)^2 / 5) (d^2 / 2) 2 ltac:(lra) W4 ltac:(lra) eq_refl eq_refl ltac:(lra) (frac
-    1 2) ltac:(replace (/ 2) with (1 / 2) by field; apply Fr)).
-  assert (H3 := Hw (weight3 U d) ((d / U)^2 / 5) (d^2 / 6) 6 ltac:(lra) W3 ltac:(lra) eq_refl eq_refl ltac:(lra) (frac
-    1 6) ltac:(replace (/ 6) with (1 / 6) by field; apply Fr)).
-  take e0i. assert (He0 : inI (middle_rest U d Q) e0i).
-  { destruct (middle_rest_between U d Q ltac:(lra) ltac:(lra) ltac:(lra)) as (a & b & a' & b' & Hz & Hb).
-    assert (K : forall a b, PI - U - d <= a <= PI - U + d -> PI - U - d <= b <= PI - U + d ->
-      inI (sin U * (weight4 U d * G4 a Q / 12) - cos U * (weight3 U d * G3 b Q / 3)) e0i).
-    { intros x y Hx' Hy. destruct (kernels_are U x Q ltac:(lra)) as (_ & _ & _ & _ & E4 & _).
-      destruct (kernels_are U y Q ltac:(lra)) as (_ & _ & _ & E3 & _). rewrite <- E4, <- E3.
-      destruct Ss as (_ & _ & _ & _ & Ss5). destruct Sc as (_ & _ & _ & _ & Sc5). fold s in Ss5, Sc5.
-      rewrite Vs in Ss5. rewrite Vc in Sc5.
-      apply sub_in; (apply mul_in; [assumption|]); (apply div_in; [|apply Z]); apply mul_in;
-        [exact H4 | | exact H3 |].
-      - apply (r_G4 C C' inI (encl U) rel); [now apply Hfar | exact HQat].
-      - apply (r_G3 C C' inI (encl U) rel); [now apply Hfar | exact HQat]. }
-    refine (between_in _ _ _ _ (K a b _ _) (K a' b' _ _) Hb); apply Hz; tauto. }
+  destruct Ss as (_ & _ & _ & _ & Ss). destruct Sc as (_ & _ & _ & _ & Sc). fold s in Ss, Sc. rewrite Vs in Ss.
+  rewrite Vc in Sc.
+  take e0i. assert (He0 : inI (middle_rest U d Q) e0i)
+    by exact (middle_in p eps u al u' al' HL Ui HU r2 Hr2 d2i Qat fari _ _ Hd2 HQat Hfar Ss Sc).
   clearbody e0i.
   destruct (moment_rests U d ltac:(lra) ltac:(lra)) as [Mc Ms].
-  assert (Hm : forall w n0, (0 < n0)%Z -> - ((d / U)^2 / IZR n0) <= w <= 0 ->
-    inI w (I.neg (I.mul p (I.div p r2 (I.fromZ p n0)) (t_unit (c_table c))))).
-  { intros w n0 Hn0 Hw'. apply IZR_lt in Hn0. assert (A : 0 < (d / U)^2 / IZR n0) by (now apply Rdiv_lt_0_compat).
-    replace w with (- ((d / U)^2 / IZR n0 * (- w / ((d / U)^2 / IZR n0)))) by (field; split; lra).
-    apply neg_in, mul_in.
-    - change (d / U) with rho. replace (rho^2) with (rho * rho) by ring. apply div_in; [exact Hr2 | apply Z].
-    - apply unit_of. split; [apply quotient_at_least | apply quotient_at_most]; lra. }
+  assert (Hm := moment_in p eps u al u' al' HL r2 Hr2).
   take m1i. set (m1 := first_part C s (e_cos u u') (e_sin u u') (e_mid eps u al u')).
   assert (Hm1 : encl U m1 m1i).
   { apply (r_first_part C C' inI (encl U) rel); [exact Hs | apply Hm; [lia | exact Mc] | apply Hm;

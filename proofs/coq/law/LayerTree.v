@@ -14,11 +14,11 @@ From Dumbbell Require Import Quotients LawStatement Ends LayerState LayerLeaf La
 Local Open Scope R_scope.
 
 Module D := LayerBounds PrimitiveFloat.
-Import D.N.M.K.L.X.
+Import D.
 Definition p53 : PrimitiveFloat.precision := PrimitiveFloat.PtoP 53.
-Definition constants := Eval vm_compute in D.N.M.make_constants p53 12 8.
-Lemma constants_are : constants = D.N.M.make_constants p53 12 8.
-Proof. vm_cast_no_check (eq_refl constants). Qed.
+Definition layer_constants := Eval vm_compute in make_constants p53 12 8.
+Lemma layer_constants_are : layer_constants = make_constants p53 12 8.
+Proof. vm_cast_no_check (eq_refl layer_constants). Qed.
 
 Definition side a c l m := I.join (I.div p53 (I.fromZ p53 (a * l)) (I.fromZ p53 m)) (I.div p53 (I.fromZ p53 (c * l))
   (I.fromZ p53 m)).
@@ -40,25 +40,25 @@ Proof.
   - apply Rnot_le_lt in L. apply H2. split; [exact HL|split; [exact HU | lra]].
 Qed.
 Lemma side_in x a c l m : 0 < IZR m -> IZR (a * l) / IZR m <= x <= IZR (c * l) / IZR m ->
-  D.N.M.K.L.X.inI x (side a c l m).
-Proof. intros Hm Hx. apply (D.N.join_in (IZR (a * l) / IZR m) (IZR (c * l) / IZR m));
-  [apply D.N.frac_in | apply D.N.frac_in | exact Hx]. Qed.
-Lemma side_U_in x a c : IZR a <= x * (655360 / 9) <= IZR c -> D.N.M.K.L.X.inI x (side_U a c).
+  inI x (side a c l m).
+Proof. intros Hm Hx. apply (join_in (IZR (a * l) / IZR m) (IZR (c * l) / IZR m));
+  [apply frac_in | apply frac_in | exact Hx]. Qed.
+Lemma side_U_in x a c : IZR a <= x * (655360 / 9) <= IZR c -> inI x (side_U a c).
 Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least];
   lra. Qed.
-Lemma side_rho_in x a c : IZR a <= x * 327680 <= IZR c -> D.N.M.K.L.X.inI x (side_rho a c).
+Lemma side_rho_in x a c : IZR a <= x * 327680 <= IZR c -> inI x (side_rho a c).
 Proof. intros H. apply side_in; [lra|]. rewrite !mult_IZR. split; [apply quotient_at_most | apply quotient_at_least];
   lra. Qed.
-Lemma slope_holds a c d e : D.N.M.slope_leaf p53 constants (side_U a c) (side_rho d e) = true -> holds a c d e.
+Lemma slope_holds a c d e : slope_leaf p53 layer_constants (side_U a c) (side_rho d e) = true -> holds a c d e.
 Proof.
-  rewrite constants_are. intros H eps w al w' al' (HL & HU & Hr).
-  exact (D.slope_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _ _ _
+  rewrite layer_constants_are. intros H eps w al w' al' (HL & HU & Hr).
+  exact (slope_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _ _ _
     Hr) H).
 Qed.
-Lemma beyond_holds a c d e : D.N.M.beyond_leaf p53 constants (side_U a c) (side_rho d e) = true -> holds a c d e.
+Lemma beyond_holds a c d e : beyond_leaf p53 layer_constants (side_U a c) (side_rho d e) = true -> holds a c d e.
 Proof.
-  rewrite constants_are. intros H eps w al w' al' (HL & HU & Hr). exfalso.
-  exact (D.N.beyond_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _
+  rewrite layer_constants_are. intros H eps w al w' al' (HL & HU & Hr). exfalso.
+  exact (beyond_leaf_sound p53 eps w al w' al' HL (side_U a c) (side_rho d e) (side_U_in _ _ _ HU) (side_rho_in _
     _ _ Hr) H).
 Qed.
 
@@ -106,8 +106,8 @@ Proof.
 Qed.
 End Tests.
 Definition covered words a c d e := match
-  covered_by (fun a c d e => D.N.M.slope_leaf p53 constants (side_U a c) (side_rho d e))
-    (fun a c d e => D.N.M.beyond_leaf p53 constants (side_U a c) (side_rho d e)) 40 words a c d e with Some _ =>
+  covered_by (fun a c d e => slope_leaf p53 layer_constants (side_U a c) (side_rho d e))
+    (fun a c d e => beyond_leaf p53 layer_constants (side_U a c) (side_rho d e)) 40 words a c d e with Some _ =>
       true | None => false end.
 Theorem covered_holds words a c d e : covered words a c d e = true -> holds a c d e.
 Proof.
