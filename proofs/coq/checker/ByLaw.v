@@ -58,8 +58,7 @@ Definition side (sign : Z) (c0 : I.type) (even : bool) (q : ratio) : I.type :=
     (I.mul p inverse (I.add p (I.mul p kappa (I.ln p (value q))) constant)).
 End Numbers.
 
-(** The place, with as many bits as the root has, half as many again for the size of the correction, and some for
-  rounding. *)
+(** The place, with as many bits as the root has, half as many again for the correction, and some for rounding. *)
 Definition law_bits (q : ratio) : N := (3 * N.size (Npos (num q)) / 4 + 64)%N.
 Definition place (p : BigFloat.precision) (k : nat) (q : ratio) (n : N) : I.type :=
   I.sub p (I.mul p (partial_sum p k) (I.sqrt p (value p q))) (whole p (Z.of_N n - 2)).
