@@ -1,12 +1,12 @@
-(** N(q) >= n or not, by the law (L56 of law.md), for n >= 903: the place C sqrt q - (n - 2) of a mass ratio is on one side of
-    what Theorem A leaves open about the critical ratio of n. With so many bits that the place is known to the share of a step
-    that is left open. What is found is proved in law/DecidedByLaw.v.
+(** N(q) >= n or not, by the law (L56 of law.md), for n >= 903: the place C sqrt q - (n - 2) of a mass ratio is on one
+    side of what Theorem A leaves open about the critical ratio of n. With so many bits that the place is known to the
+    share of a step that is left open. What is found is proved in law/DecidedByLaw.v.
 
     partial_sum             == a partial sum of the series for C (law/GrowthSeries.v)
-    correction              == c0 from a partial sum of the cubes (law/CubesTail.v) and a share of what is left of them
-    side                    == what Theorem A says of delta at the critical ratio of n, with a number for c0 and the sign of the error
+    correction              == c0, from a sum of cubes (law/CubesTail.v) and a share of what is left of them
+    side                    == what Theorem A says of delta, with a number for c0 and the sign of the error
     law_reaches             == N(q) >= n or not, by the law
-    either, outcome, by_law == by the law or by one orbit; of a claim: it holds, fails at this ratio, or is not decided *)
+    either, outcome, by_law == by the law or one orbit; of a claim: it holds, fails at this ratio, or is not decided *)
 From Coq Require Import ZArith NArith.
 From Interval Require Import Float.Specific_ops Float.Specific_bigint.
 From Dumbbell Require Import Certificate Multiple Decide.
@@ -46,7 +46,8 @@ Definition correction (m : nat) (sum share : I.type) : I.type :=
   let twice_k0 := I.div p (whole 2)
     (I.mul p (I.mul p (whole 3) (I.mul p root_3 (I.sqrt p root_3))) (I.sqrt p (I.pi p))) in
   I.mul p twice_k0 (I.add p sum (I.mul p rest share)).
-Definition least_share (m : nat) : I.type := I.sub p (whole 1) (fraction 1 (16 * ((Z.of_nat m + 1) * (Z.of_nat m + 1)))).
+Definition least_share (m : nat) : I.type := I.sub p (whole 1) (fraction 1 (16 * ((Z.of_nat m + 1) * (Z.of_nat m +
+  1)))).
 
 Definition side (sign : Z) (c0 : I.type) (even : bool) (q : ratio) : I.type :=
   let inverse := I.inv p (I.sqrt p (value q)) in let s := I.sqrt p inverse in
@@ -57,7 +58,7 @@ Definition side (sign : Z) (c0 : I.type) (even : bool) (q : ratio) : I.type :=
     (I.mul p inverse (I.add p (I.mul p kappa (I.ln p (value q))) constant)).
 End Numbers.
 
-(** The place, with as many bits as the root has, half as many again for the size of the correction, and some for rounding. *)
+(** The place, with as many bits as the root has, half as many again for the correction, and some for rounding. *)
 Definition law_bits (q : ratio) : N := (3 * N.size (Npos (num q)) / 4 + 64)%N.
 Definition place (p : BigFloat.precision) (k : nat) (q : ratio) (n : N) : I.type :=
   I.sub p (I.mul p (partial_sum p k) (I.sqrt p (value p q))) (whole p (Z.of_N n - 2)).

@@ -1,6 +1,6 @@
-(** What the theorems rest on that `prove --kernel` prints: a claim decided by two orbits, a claim decided by the law, and a
-    certificate that is checked in parts, say what they say. One theorem, so that what it rests on is asked once, and of a printed
-    theorem only what it adds.
+(** What the theorems rest on that `prove --kernel` prints: a claim decided by two orbits, a claim decided by the law, and
+    a certificate that is checked in parts, say what they say. One theorem, so that what it rests on is asked once, and
+    of a printed theorem only what it adds.
 
     bases, bases_hold == what is computed of a claim, or of a certificate's parts, is true *)
 From Coq Require Import NArith List.

@@ -1,6 +1,8 @@
-(** The sum of the cubes to nine decimals from a thousand of them (L55 (c) of law.md, sharper): what is left of it from the cube
-    M on is 1/(4 sqrt M), or less by a share 1/(16 M^2) at most. So c0 is known as well as Theorem A asks up to q = 10^36.
+(** The sum of the cubes to nine decimals from a thousand of them (L55 (c) of law.md, sharper): what is left of it from
+    the cube M on is 1/(4 sqrt M), or less by a share 1/(16 M^2) at most. So c0 is known as well as Theorem A asks up to
+    q = 10^36.
 
+    rest, share       == 1/(4 sqrt M); 1 - 1/(16 M^2)
     tail_close        == that
     step_constant_is  == k0 without a power that is no root *)
 From Coq Require Import Reals Lra Lia.
@@ -14,8 +16,10 @@ Definition share (n : nat) := 1 - / (16 * (INR (S n) * INR (S n))).
 (** With a and b the roots of n + 1 and n + 2 a cube is 1/(a + b)^3, and the rests differ by 1/(4 a b (a + b)). *)
 Lemma cube_close n : (rest n - rest (S n)) * share n <= cube (S n) <= rest n - rest (S n).
 Proof.
-  unfold rest, share, cube. assert (P := pos_INR n). rewrite !S_INR. set (x := INR n + 1). assert (X : 1 <= x) by (unfold x; lra).
-  set (a := sqrt x). set (b := sqrt (x + 1)). assert (A : 1 <= a) by (unfold a; rewrite <- sqrt_1; apply sqrt_le_1; lra).
+  unfold rest, share, cube. assert (P := pos_INR n). rewrite !S_INR. set (x := INR n + 1).
+  assert (X : 1 <= x) by (unfold x; lra).
+  set (a := sqrt x). set (b := sqrt (x + 1)).
+  assert (A : 1 <= a) by (unfold a; rewrite <- sqrt_1; apply sqrt_le_1; lra).
   assert (B : a < b) by (apply sqrt_lt_1; lra). assert (A2 : a * a = x) by (apply sqrt_sqrt; lra).
   assert (B2 : b * b = x + 1) by (apply sqrt_sqrt; lra). assert (D : (b - a) * (a + b) = 1) by lra.
   assert (E : b - a = / (a + b)) by (apply Rmult_eq_reg_r with (a + b); [rewrite D; field; lra | lra]).
@@ -53,7 +57,8 @@ Proof.
   assert (B : INR (S m) <= INR (S (m + n))) by (apply le_INR; lia).
   assert (INR (S m) * INR (S m) <= INR (S (m + n)) * INR (S (m + n))) by (apply Rmult_le_compat; lra).
   assert (0 < INR (S m) * INR (S m)) by (apply Rmult_lt_0_compat; lra).
-  assert (/ (16 * (INR (S (m + n)) * INR (S (m + n)))) <= / (16 * (INR (S m) * INR (S m)))) by (apply Rinv_le_contravar; lra).
+  assert (/ (16 * (INR (S (m + n)) * INR (S (m + n)))) <= / (16 * (INR (S m) * INR (S m)))) by (apply
+    Rinv_le_contravar; lra).
   lra.
 Qed.
 Lemma sums_close m n : sum_n cube m + (rest m - rest (m + n)) * share m <= sum_n cube (m + n) <=
@@ -69,7 +74,8 @@ Theorem tail_close m : sum_n cube m + rest m * share m <= Series cube <= sum_n c
 Proof.
   assert (V : is_lim_seq (fun n => rest (m + n)) 0) by exact (inverse_roots_vanish m). split.
   - assert (K := is_lim_seq_le _ _ _ _ (fun n => proj1 (sums_close m n)) (is_lim_seq_plus' _ _ _ _ (is_lim_seq_const _)
-      (is_lim_seq_mult' _ _ _ _ (is_lim_seq_minus' _ _ _ _ (is_lim_seq_const _) V) (is_lim_seq_const _))) (sums_to_series m)).
+      (is_lim_seq_mult' _ _ _ _ (is_lim_seq_minus' _ _ _ _ (is_lim_seq_const _) V) (is_lim_seq_const _)))
+        (sums_to_series m)).
     change (sum_n cube m + (rest m - 0) * share m <= Series cube) in K. lra.
   - assert (K := is_lim_seq_le _ _ _ _ (fun n => proj2 (sums_close m n)) (sums_to_series m)
       (is_lim_seq_plus' _ _ _ _ (is_lim_seq_const _) (is_lim_seq_minus' _ _ _ _ (is_lim_seq_const _) V))).

@@ -1,10 +1,10 @@
-(** C as a series that converges like that of the sine (beside L46 of law.md). Its terms are integrals of odd powers of the
-    secant up to pi/3, where the secant is 2 and the tangent sqrt 3: numbers that come from ln(2 + sqrt 3) by a recursion.
-    As the sine is between two partial sums, so is C.
+(** C as a series that converges like that of the sine (beside L46 of law.md). Its terms are integrals of odd powers of
+    the secant up to pi/3, where the secant is 2 and the tangent sqrt 3: numbers that come from ln(2 + sqrt 3) by a
+    recursion. As the sine is between two partial sums, so is C.
 
-    secants      == the integral of the power 2 n + 1 of the secant from 0 to pi/3
-    growth_sum   == a partial sum of the series
-    growth_between == C is between two of them *)
+    secants, sine_term == the integral of the power 2 n + 1 of the secant from 0 to pi/3; a term of the sine of pi/2
+    growth_sum         == a partial sum of the series
+    growth_between     == C is between two of them *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import LawStatement.
@@ -44,8 +44,10 @@ Proof.
     assert (K : 0 < INR (2 * n + 2)) by (apply lt_0_INR; lia).
     assert (T : is_derive (fun a => / cos a ^ k * tan a) a
       (INR (2 * n + 2) * / cos a ^ (2 * S n + 1) - INR k * / cos a ^ k)).
-    { unfold tan. assert (Z : cos a ^ k <> 0) by (apply pow_nonzero; lra). auto_derive; [repeat split; first [exact Z | lra | exact I]|].
-      replace (2 * S n + 1)%nat with (S (S k)) by (unfold k; lia). replace (2 * n + 2)%nat with (S k) by (unfold k; lia).
+    { unfold tan. assert (Z : cos a ^ k <> 0) by (apply pow_nonzero; lra).
+    auto_derive; [repeat split; first [exact Z | lra | exact I]|].
+      replace (2 * S n + 1)%nat with (S (S k)) by (unfold k; lia).
+      replace (2 * n + 2)%nat with (S k) by (unfold k; lia).
       replace k with (S (pred k)) in Z |- * by (unfold k; lia). set (j := pred k) in *. cbn [pred].
       rewrite !S_INR. cbn [pow] in Z |- *. assert (Z1 : cos a ^ j <> 0) by (intros E; apply Z; rewrite E; ring).
       assert (E : sin a * sin a = 1 - cos a * cos a) by lra.
@@ -93,7 +95,8 @@ Proof.
   { intros i. apply (is_RInt_ext (fun a => scal (sine_term i) (/ cos a ^ (2 * i + 1)))).
     - intros a. rewrite Rmin_left, Rmax_right by lra. intros Ha. destruct (below_third a ltac:(lra)) as [[C0 _] _].
       set (k := (2 * i + 1)%nat).
-      change ((-1) ^ i * ((PI / 2) ^ k / INR (fact k)) * / cos a ^ k = (-1) ^ i * ((PI / 2 * / cos a) ^ k / INR (fact k))).
+      change ((-1) ^ i * ((PI / 2) ^ k / INR (fact k)) * / cos a ^ k = (-1) ^ i * ((PI / 2 * / cos a) ^ k / INR (fact
+        k))).
       rewrite Rpow_mult_distr, pow_inv. unfold Rdiv. ring.
     - apply (is_RInt_scal (V := R_NormedModule)). apply secants_integral. }
   induction n as [|n IH]; unfold sin_approx, growth_sum; cbn [sum_f_R0]; [apply One|].
@@ -115,7 +118,8 @@ Proof.
   assert (G : is_RInt (fun a => sin (PI / 2 / cos a)) 0 (PI / 3) growth).
   { unfold growth. apply (RInt_correct (V := R_CompleteNormedModule)).
     apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra.
-    intros a Ha. destruct (below_third a Ha). apply (ex_derive_continuous (fun a => sin (PI / 2 / cos a))). auto_derive. lra. }
+    intros a Ha. destruct (below_third a Ha). apply (ex_derive_continuous (fun a => sin (PI / 2 / cos a))).
+    auto_derive. lra. }
   assert (P0 : 0 <= PI / 3) by lra. split; eapply is_RInt_le; try exact P0.
   - apply sum_integral.
   - exact G.
