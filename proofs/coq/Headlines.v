@@ -2,11 +2,19 @@
     name but the statement, and no word or notation is added (`assumptions` sees to that): what is not of Statement.v or
     of Coq's real numbers has the name of its file before it. So no other file can change what a sentence here says. *)
 From Coq Require Import Reals.
-From Dumbbell Require Import Statement.
-From Dumbbell Require AnyMotion AtMostOnce CriticalRatios Decided Determinism EqualMasses EveryState ExactMaximum Exchange
-  ExplicitBounds Falls FirstSteps FollowFlight ForEver FreeFlight FullTotal HeavyOnce Law LawStatement LeftLimit LightTotal
-  Maximum Monotone Newton NoAccumulation NoHeavy OpenSet Orbit Paper Piece PublishedBound Sanity Scaling
-  StartInContact Tangency Verdict WedgeMaximum WedgeSanity WhereEqual WitnessMotion.
+From Dumbbell.statement Require Import Statement.
+From Dumbbell.corners Require AnyMotion ForEver StartInContact.
+From Dumbbell.checker Require ByLaw.
+From Dumbbell.exact Require CriticalRatios Decided ExactMaximum ExplicitBounds HeavyOnce LeftLimit
+  Monotone NoHeavy OpenSet PublishedBound Tangency WhereEqual.
+From Dumbbell.full Require FollowFlight FullTotal.
+From Dumbbell.law Require Bases DecidedByLaw Falls FirstSteps GrowthSeries Law LawStatement Orbit.
+From Dumbbell.lower Require WitnessMotion.
+From Dumbbell.motion Require Determinism EveryState NoAccumulation.
+From Dumbbell.statement Require FreeFlight Newton Paper.
+From Dumbbell.theorems Require EqualMasses Exchange Maximum Piece Sanity Scaling Verdict.
+From Dumbbell.upper Require AtMostOnce LightTotal.
+From Dumbbell.wedges Require WedgeMaximum WedgeSanity.
 Local Open Scope R_scope.
 
 Theorem N_exists : forall q : R, 1 <= q -> exists n : nat, N_star q n /\ INR n < q + 5.
@@ -55,6 +63,8 @@ Proof. exact Verdict.N_of_10. Qed.
 Theorem decided_by_orbits : forall (v w : Decide.numbers) (c : Decide.claim), Decide.holds v w c = true ->
   Decided.says c.
 Proof. exact Decided.decided_by_orbits. Qed.
+Theorem bases_hold : Bases.bases.
+Proof. exact Bases.bases_hold. Qed.
 Theorem found_true : forall (c : Decide.claim) (v w : Decide.numbers), Decide.settle c = Decide.True_by v w ->
   Decided.says c.
 Proof. exact Decided.found_true. Qed.
@@ -245,15 +255,25 @@ Proof. exact Sanity.energy_kept. Qed.
 Theorem bouncing_once : forall P : dumbbell, real_dumbbell P -> at_least P (Sanity.bouncing P) 1 /\ at_most P
   (Sanity.bouncing P) 1.
 Proof. exact Sanity.bouncing_once. Qed.
-Theorem law : LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  LawStatement.the_law /\ LawStatement.law_everywhere.
+Theorem law : LawStatement.the_law /\ LawStatement.law_everywhere.
 Proof. exact Law.law. Qed.
-Theorem theorem_A : forall (N : nat) (q : R), LawStatement.layer -> LawStatement.bulk -> LawStatement.end_of_orbit ->
-  (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
+Theorem theorem_A : forall (N : nat) (q : R), (903 <= N)%nat -> CriticalRatios.critical N q -> LawStatement.law_with_logarithm N q /\
   0 < LawStatement.delta N q < LawStatement.law_constant * LawStatement.quarter q.
 Proof. exact Law.theorem_A. Qed.
 Theorem steps_hold : LawStatement.steps.
 Proof. exact FirstSteps.steps_hold. Qed.
+Theorem growth_between : forall n : nat, GrowthSeries.growth_sum (2 * n + 1) <= LawStatement.growth <=
+  GrowthSeries.growth_sum (2 * (n + 1)).
+Proof. exact GrowthSeries.growth_between. Qed.
+Theorem by_law_true : forall c : Decide.claim,
+  ByLaw.by_law c = ByLaw.Holds -> Decided.says c.
+Proof. exact DecidedByLaw.by_law_true. Qed.
+Theorem by_law_false : forall (c : Decide.claim)
+  (q : Certificate.ratio) (n : N) (reached : bool), ByLaw.by_law c = ByLaw.Fails q n reached -> Decided.in_range c
+  (Certificate.ratio_value q) /\ (if reached then ExactMaximum.N_at_least (Certificate.ratio_value q) (N.to_nat n) /\
+  (exists m : N, Decide.claimed_most c = Some m /\ (m < n)%N) else Decide.claimed_least c = Some n /\ ~
+  ExactMaximum.N_at_least (Certificate.ratio_value q) (N.to_nat n)).
+Proof. exact DecidedByLaw.by_law_false. Qed.
 Theorem orbit_of_critical : forall (N : nat) (q : R), (4 <= N)%nat -> CriticalRatios.critical N q -> exists (n : nat)
   (u al : nat -> R) (y : R), Orbit.orbit (/ sqrt q) N n u al y.
 Proof. exact Orbit.orbit_of_critical. Qed.

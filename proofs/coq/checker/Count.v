@@ -135,8 +135,6 @@ Proof.
   unfold pos. intros H Hx. generalize (I.sign_strict_correct i). destruct (I.sign_strict i); try discriminate;
     intros K; specialize (K _ Hx); simpl in K. lra.
 Qed.
-Lemma zero_in : inI 0 I.zero.
-Proof. unfold inI. rewrite I.zero_correct. simpl. lra. Qed.
 Lemma low0_ok x i : inI x i -> forall y, x <= y -> 0 <= y -> exists x0, inI x0 (low0 i) /\ x0 <= y.
 Proof.
   intros H y Hxy Hy. unfold low0. destruct (nonneg i).
@@ -164,10 +162,6 @@ Proof.
   intros H. unfold up0. destruct (nonneg (I.neg i)) eqn:E; [|now apply up_ok].
   exists 0. split; [apply zero_in|]. assert (A := nonneg_ok _ _ E (neg_in _ _ H)). lra.
 Qed.
-Lemma single_in z : inI (proj_val (F.toX z)) (I.singleton z).
-Proof. exact (I.singleton_correct z). Qed.
-Lemma fromZ_in z : inI (IZR z) (I.fromZ p z).
-Proof. exact (I.fromZ_correct p z). Qed.
 Lemma pi_in : inI PI (pi_ T). Proof. rewrite HT. exact (I.pi_correct p). Qed.
 Lemma quarter_in : inI (PI/2) (quarter T). Proof. rewrite HT. apply div_in; [exact (I.pi_correct p) | apply fromZ_in].
   Qed.

@@ -3,6 +3,7 @@
     first, then with more and more bits, within a budget. The answers are proved in exact/Decided.v.
 
     numbers                == doubles, or so many bits
+    far_above              == n is so great that N(q) < n without an orbit (Theorem 3 (c))
     reaches, decide        == N(q) >= n or not, by one orbit, with given numbers; with the first that tell
     claim, finding, settle == bounds on a range of ratios; that they are true, false, or not decided
     holds                  == the same with given numbers, for the kernel *)
@@ -20,9 +21,12 @@ Definition at_least_with w := match w with Machine_doubles => Doubles.orbit_at_l
 Definition orbit_for (n : N) : orbit := if N.even n then Corner else Top.
 Definition collisions_for (n : N) : N := N.div2 (N.pred n).
 
+(** 2 + 2 sqrt(q/pi) <= n, as pi > 3; for n > 2. *)
+Definition far_above (q : ratio) (n : N) : bool := 4 * Npos (num q) <=? 3 * Npos (den q) * ((n - 2) * (n - 2)).
+
 (** N(q) >= n, or not; None: these numbers do not tell. Two collisions there always are, and at q = 1 no more. *)
 Definition reaches (w : numbers) (q : ratio) (n : N) : option bool :=
-  if n <=? 2 then Some true else if ratio_eq q one then Some false else
+  if n <=? 2 then Some true else if ratio_eq q one || far_above q n then Some false else
   let k := collisions_for n in
   if most_steps <? k then None else
   if at_least_with w (orbit_for n) (fuel k) q then Some true else

@@ -44,11 +44,8 @@ Definition cosT (t : tab) x := I.add p (hornerI (tC t) (I.sqr p x)) (tE t).
 Definition indom (t : tab) i := match I.sign_large (I.sub p i (tD t)), I.sign_large (I.add p i (tD t)) with
   | (Xlt|Xeq), (Xgt|Xeq) => true | _, _ => false end.
 
-Lemma inv_in z : z <> 0%Z -> inI (/ IZR z) (I.inv p (I.fromZ p z)).
-Proof.
-  intros Hz. generalize (I.inv_correct p _ _ (I.fromZ_correct p z)).
-  simpl. unfold Xinv'. destruct (Xreal.is_zero_spec (IZR z)) as [H|H]; [now apply eq_IZR in H | easy].
-Qed.
+Lemma coefficient_in z : z <> 0%Z -> inI (/ IZR z) (I.inv p (I.fromZ p z)).
+Proof. intros Hz. apply inv_in; [now apply IZR_neq | apply fromZ_in]. Qed.
 Lemma pm_in v y e : inI v e -> - v <= y <= v -> inI y (I.join (I.neg e) e).
 Proof.
   intros Hv Hy. apply (contains_connected (I.convert (I.join (I.neg e) e)) (-v) v); [| |exact Hy].
@@ -56,19 +53,17 @@ Proof.
   - apply I.join_correct. now right.
 Qed.
 Lemma err_in y : - / IZR (2^60) <= y <= / IZR (2^60) -> inI y err.
-Proof. intros H. apply pm_in with (2 := H). now apply inv_in. Qed.
+Proof. intros H. apply pm_in with (2 := H). now apply coefficient_in. Qed.
 Lemma horner_in l y yi : List.Forall (fun z => z <> 0%Z) l -> inI y yi -> inI (hornerR (cR l) y) (hornerI (co l) yi).
 Proof.
   intros Hl Hy. induction l as [|z l IH].
-  - change (contains (I.convert I.zero) (Xreal 0)); rewrite I.zero_correct; simpl; lra.
+  - exact zero_in.
   - inversion Hl; subst. destruct l as [|z' l].
-    + simpl. replace (/ IZR z - y * 0) with (/ IZR z) by ring. now apply inv_in.
+    + simpl. replace (/ IZR z - y * 0) with (/ IZR z) by ring. now apply coefficient_in.
     + change (inI (/ IZR z - y * hornerR (cR (z'::l)) y)
         (I.sub p (I.inv p (I.fromZ p z)) (I.mul p yi (hornerI (co (z'::l)) yi)))).
-      apply sub_in; [now apply inv_in | apply mul_in; [exact Hy | now apply IH]].
+      apply sub_in; [now apply coefficient_in | apply mul_in; [exact Hy | now apply IH]].
 Qed.
-Lemma sqr_in x i : inI x i -> inI (x*x) (I.sqr p i).
-Proof. intros H. exact (I.sqr_correct p i (Xreal x) H). Qed.
 Lemma sinT_in x i : -0.8 <= x <= 0.8 -> inI x i -> inI (sin x) (sinT mktab i).
 Proof.
   intros Hd Hx. replace (sin x) with (x * hornerR (cR sinZ) (x*x) + (sin x - x * hornerR (cR sinZ) (x*x))) by ring.

@@ -1,11 +1,11 @@
 (** What is decided without a certificate (checker/Decide.v) is true, for every real mass ratio of the range: by
-    Theorem 1, as counts of one orbit, and by Theorem 2 (a), as N grows with q.
+    Theorem 1, as counts of one orbit, and by Theorem 2 (a), as N grows with q; or by Theorem 3 (c), which bounds N.
 
     decided_by_orbits, found_true, found_false == what is computed of a claim is true
     reaches_sound, answers_ok                == N(q) >= n or not, as one orbit says
     says, in_range                           == what a claim says, of which ratios *)
 From Coq Require Import Reals ZArith NArith Bool Lra Lia.
-From Dumbbell Require Import Physics Maximum EqualMasses Range Orbits ExactMaximum Monotone.
+From Dumbbell Require Import Physics Maximum EqualMasses Range Orbits ExactMaximum Monotone ExplicitBounds.
 From Dumbbell Require Import Certificate Leaves TwoOrbits Doubles Multiple Check Decide.
 Local Open Scope R_scope.
 
@@ -46,15 +46,35 @@ Qed.
 Lemma fuel_is k : (k <= most_steps)%N -> fuel k = N.to_nat k.
 Proof. intros H. unfold fuel. now rewrite N.min_l. Qed.
 
+Lemma far_above_ok q n : 1 <= ratio_value q -> (2 < n)%N -> far_above q n = true -> ~ N_at_least (ratio_value q) (N.to_nat n).
+Proof.
+  unfold far_above. intros Hq Hn H [m [Hm L]]. apply N.leb_le in H. assert (B := theorem_3c _ m Hq Hm). apply le_INR in L.
+  set (d := (n - 2)%N) in *. assert (E : INR (N.to_nat n) = 2 + IZR (Z.of_N d)).
+  { replace (N.to_nat n) with (2 + N.to_nat d)%nat by lia. rewrite plus_INR, INR_IZR_INZ, INR_IZR_INZ, N_nat_Z. reflexivity. }
+  assert (D : 0 <= IZR (Z.of_N d)) by (apply IZR_le; lia). set (x := IZR (Z.of_N d)) in *.
+  assert (K : 4 * ratio_value q <= 3 * (x * x)).
+  { unfold ratio_value. assert (P : 0 < IZR (Zpos (den q))) by (apply IZR_lt; easy).
+    assert (Z1 : (4 * Zpos (num q) <= 3 * Zpos (den q) * (Z.of_N d * Z.of_N d))%Z) by lia.
+    apply IZR_le in Z1. rewrite !mult_IZR in Z1. fold x in Z1. apply Rmult_le_reg_r with (IZR (Zpos (den q))); [exact P|].
+    replace (4 * (IZR (Zpos (num q)) / IZR (Zpos (den q))) * IZR (Zpos (den q))) with (4 * IZR (Zpos (num q))) by (field; lra).
+    lra. }
+  assert (HPI := PI2_3_2). assert (S : sqrt (ratio_value q / PI) <= x / 2); [|lra].
+  rewrite <- (sqrt_square (x / 2)) by lra. apply sqrt_le_1_alt. apply Rmult_le_reg_r with PI; [lra|].
+  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  assert (3 * (x / 2 * (x / 2)) <= PI * (x / 2 * (x / 2))) by (apply Rmult_le_compat_r; [apply Rle_0_sqr | lra]). lra.
+Qed.
+
 Theorem reaches_sound w q n yes : 1 <= ratio_value q -> reaches w q n = Some yes ->
   yes = true <-> N_at_least (ratio_value q) (N.to_nat n).
 Proof.
   intros Hq. unfold reaches. destruct (N.leb_spec n 2) as [L|L].
   { intros H. injection H; intros <-. split; [|easy]. intros _. apply at_least_two; [exact Hq | lia]. }
-  destruct (ratio_eq q one) eqn:E.
+  destruct (ratio_eq q one) eqn:E; cbn [orb].
   { intros H. injection H; intros <-. split; [easy|]. intros [m [Hm Hnm]]. exfalso. apply ratio_eq_ok in E.
     assert (E1 : ratio_value q = 1) by (rewrite E; unfold ratio_value; simpl; lra). rewrite E1 in Hm.
     assert (m = 2%nat) by (apply (N_unique 1); [lra | exact Hm | exact L7_equal_masses]). lia. }
+  destruct (far_above q n) eqn:FA.
+  { intros H. injection H; intros <-. split; [easy|]. intros K. now apply far_above_ok in K. }
   destruct (N.ltb_spec most_steps (collisions_for n)) as [F|F]; [easy|].
   assert (K : (1 <= collisions_for n)%N).
   { unfold collisions_for. assert (E2 := N.div2_odd (N.pred n)). destruct (N.odd (N.pred n)); cbn [N.b2n] in E2; lia. }

@@ -10,7 +10,8 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement Sines Angles Falls Orbit Clock Ends Windows Place.
+From Dumbbell Require Import PiValue LawStatement Sines Angles Falls Orbit Clock Ends Windows Place LayerClock
+  LayerFalls BulkFalls BulkDefect.
 Local Open Scope R_scope.
 
 (** Three slopes, for a bound from above. *)
@@ -70,7 +71,8 @@ Proof.
   destruct (MVT_cor2 (area e c) (growing e c) a b) as [s [E Hs]]; [lra | |].
   { intros t _. apply is_derive_Reals. unfold area, growing. auto_derive; [easy | lra]. }
   rewrite E. assert (A1 := growing_grows e c a th Hc ltac:(lra) ltac:(lra)).
-  assert (A2 := growing_grows e c th b Hc ltac:(lra) Hb). assert (B1 := growing_grows e c a s Hc ltac:(lra) ltac:(lra)).
+  assert (A2 := growing_grows e c th b Hc ltac:(lra) Hb). assert (B1 := growing_grows e c a s Hc ltac:(lra)
+    ltac:(lra)).
   assert (B2 := growing_grows e c s b Hc ltac:(lra) Hb). set (k := growing e c b - growing e c a) in *.
   assert (K : k * (b - a) <= k * 0.0026) by (apply Rmult_le_compat_l; unfold k; lra).
   assert (X : (growing e c th - growing e c s) * (b - a) <= k * (b - a)) by (apply Rmult_le_compat_r; unfold k; lra).
@@ -96,8 +98,7 @@ Section Orbit.
 Variables (eps : R) (N n : nat) (u al : nat -> R) (y : R).
 Hypothesis He : eps <= 1/1000.
 Hypothesis Orb : orbit eps N n u al y.
-Hypothesis Hlayer : layer.
-Hypothesis Hbulk : bulk.
+Hypothesis Hlayer : layer_defect.
 Hypothesis Hend : end_of_orbit.
 Let J i := invariant (u i) (al i).
 Let T i := clock eps (u i) (al i).
@@ -178,7 +179,8 @@ Proof.
     assert (W := L53b_bulk eps (u k) (u (S k)) th E1 B C D E (HU k ltac:(lia))). rewrite <- F in W.
     destruct (W ltac:(lra)) as [W1 [W2 [W3 [W4 [W5 W6]]]]]. clear W.
     assert (ST := orbit_sequence k ltac:(lia)).
-    destruct (Hbulk eps (u k) (al k) (u (S k)) (al (S k)) ST He W1) as [H0 [H1 [H2 H3]]].
+    assert (H0 := C9 eps (u k) (al k) (u (S k)) (al (S k)) ST He W1).
+    destruct (C10 eps (u k) (al k) (u (S k)) (al (S k)) ST He W1) as [H1 [H2 H3]].
     fold th in H0, H1, H2, H3. set (dJ := invariant (u k) (al k) - invariant (u (S k)) (al (S k))) in *.
     set (DD := defect eps (u k) (al k) (u (S k)) (al (S k))) in *. set (da := al (S k) - al k) in *.
     assert (R1 : dJ <= eps^2 * (lost (al (S k)) - lost (al k))).
@@ -276,9 +278,11 @@ Proof.
   assert (Js := J_safe i ltac:(lia) HJ).
   unfold U in HU. unfold J in HJ, Jb, Js.
   assert (W := L53a_layer eps (u i) (u (S i)) _ E1 B C D E ltac:(lra) B1 B2). rewrite <- F in W.
-  destruct (Hlayer eps (u i) (al i) (u (S i)) (al (S i)) (orbit_sequence i Hi) He ltac:(lra) B1 (W ltac:(lra)) (conj
-    HJ Jb)) as [C5 [C6 C8]].
-  split; [exact C5|]. split; [exact C6|]. unfold J.
+  assert (ST := orbit_sequence i Hi). specialize (W ltac:(lra)). assert (HW := conj HJ Jb).
+  assert (V := C5 eps (u i) (al i) (u (S i)) (al (S i)) ST He ltac:(lra) B1 W HW).
+  assert (V6 := Hlayer eps (u i) (al i) (u (S i)) (al (S i)) ST He ltac:(lra) B1 W HW).
+  assert (V8 := C8 eps (u i) (al i) (u (S i)) (al (S i)) ST ltac:(lra) B1 W).
+  split; [exact V|]. split; [exact V6|]. unfold J.
   assert (I := inverse_cubes (middle (u i) (u (S i))) (half (u i) (u (S i))) ltac:(unfold middle, half; lra)).
   replace (middle (u i) (u (S i)) - half (u i) (u (S i))) with (u (S i)) in I by (unfold middle, half; field).
   replace (middle (u i) (u (S i)) + half (u i) (u (S i))) with (u i) in I by (unfold middle, half; field).
@@ -354,7 +358,7 @@ Proof.
     assert (D2 := L45d_below (u k) (J k) ltac:(lra) C2).
     split; [|exact L]. apply Rmult_le_reg_r with eps; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra.
   - intros i Hi. destruct (layer_step i ltac:(lia) (H2 i Hi) (HJ i ltac:(lia))) as [L1 [[L2 L3] _]].
-    assert (L := latest i ltac:(lia)). exact (layer_defect eps (T i) _ E1 (conj L1 L) L2 L3).
+    assert (L := latest i ltac:(lia)). exact (layer_powers eps (T i) _ E1 (conj L1 L) L2 L3).
   - assert (Jn := HJ n ltac:(lia)). assert (Js := J_safe n ltac:(lia) Jn). assert (Jb := J_below n ltac:(lia)).
     assert (L := L47c_last eps (u n) (al n) y He orbit_last Js). destruct (contact_beta n ltac:(lia)) as [B1 _].
     assert (V := L47a_last eps (u n) (al n) y He orbit_last Jb). destruct (small_root eps E1) as [S0 S1].

@@ -7,7 +7,8 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Statement Maximum ExactMaximum CriticalRatios LawStatement Cubes TheoremB TheoremA Law FirstSteps.
+From Dumbbell Require Import Statement Maximum ExactMaximum CriticalRatios LawStatement Cubes TheoremB TheoremA Law FirstSteps
+  LayerHolds EndHolds.
 Local Open Scope R_scope.
 
 (** N*(q) >= N above the critical ratio, N*(q) < N up to it. *)
@@ -110,13 +111,13 @@ Proof.
   assert (E : log_constant * / sqrt q * ln q <= 0.026 * 1 * 4) by (apply Rmult_le_compat; lra).
   assert (F : k * / sqrt q <= 0.61 * / sqrt q) by (apply Rmult_le_compat_r; lra). unfold side. lra.
 Qed.
-Theorem L56_late N q n : layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> 1 <= q -> N_star q n ->
+Theorem L56_late N q n : (903 <= N)%nat -> 1 <= q -> N_star q n ->
   let s := quarter q in let middle := law_constant * s - log_constant * s^2 * ln q - constant_of N * s^2 in
   let error := (0.072 + 2.6 * s) * s^2 in
   (middle + error < delta N q -> (N <= n)%nat) /\ (delta N q <= middle - error -> (n < N)%nat).
 Proof.
-  intros HL HB HE HN Hq Hn s middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
-  assert (Hc1 := late_enough N c steps_hold HN Hc). assert (A := enclosed N c steps_hold HL HB HE HN Hc).
+  intros HN Hq Hn s middle error. destruct (theorem_2b N ltac:(lia)) as [c [Hc _]].
+  assert (Hc1 := late_enough N c steps_hold HN Hc). assert (A := enclosed N c steps_hold layer_holds end_holds HN Hc).
   unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra. apply Rabs_le_between in A.
   destruct (by_critical N q c n Hc Hq Hn) as [X Y].
   assert (K : 0.38 <= constant_of N <= 0.497) by (unfold constant_of; destruct (Nat.even N); lra).
@@ -138,10 +139,9 @@ Proof.
     assert (M := late_grows N (k + 0.072) (-2.6) c q ltac:(lra) ltac:(lra) ltac:(lra) Z). lra.
 Qed.
 
-Theorem growth_law : layer -> bulk -> end_of_orbit ->
-  forall e, 0 < e -> exists q0, forall q N, q0 <= q -> N_star q N -> Rabs (INR N / sqrt q - growth) <= e.
+Theorem growth_law e : 0 < e -> exists q0, forall q N, q0 <= q -> N_star q N -> Rabs (INR N / sqrt q - growth) <= e.
 Proof.
-  intros HL HB HE e He. destruct (law HL HB HE) as [_ H]. set (r := 2.115 / e).
+  intros He. destruct law as [_ H]. set (r := 2.115 / e).
   assert (R0 : 0 < r) by (apply Rdiv_lt_0_compat; lra). exists ((r + 1) * (r + 1)). intros q N Hq HN.
   assert (S : r + 1 <= sqrt q) by (rewrite <- (sqrt_square (r + 1)) by lra; apply sqrt_le_1_alt; exact Hq).
   assert (Q : 1 <= q) by (apply Rle_trans with (2 := Hq); apply Rle_trans with (1 * 1); [lra | apply Rmult_le_compat;

@@ -8,7 +8,7 @@
     L52_end       == 2 eps e_end = - eps r/(kappa F) + E1 + the gain at the last contact *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Angles Falls Clock Midpoint Ends.
+From Dumbbell Require Import Sines LawStatement Angles Falls Clock Midpoint Ends.
 Local Open Scope R_scope.
 
 Definition tau_J u Q : R := RInt (fun x => sin x * H (PI - x) Q) 0 u.

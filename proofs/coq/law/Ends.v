@@ -1,9 +1,8 @@
 (** Where the orbit ends (L47 of law.md), and its layer (L48). The tangent flight is treated as a step to the point y of
     tangency, which has the flight equation of a step.
 
-    pi_value, small_root == decimals of pi, and of sqrt eps
-    quotient_at_most, quotient_at_least == a/c <= b from a <= b c, and the other way round
-    tangent_square, tangent_at_most == tan from cos
+    small_root      == decimals of sqrt eps
+    tangent_at_most, tangent_at_least == tan from cos
     last_step, last_flat == the tangent flight as a step; y is small
     L47a_last       == u_b >= 4.42 sqrt eps
     L47b_beta       == at every contact tan beta <= 0.00717, 5.3 eps^2/u^3 <= 0.00195
@@ -12,19 +11,12 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement Sines Angles Falls Orbit.
+From Dumbbell Require Import Quotients Sines PiValue LawStatement Angles Falls Orbit.
 Local Open Scope R_scope.
 
-Lemma pi_value : 3.14159 < PI < 3.14160.
-Proof. split; interval. Qed.
 Lemma sine_values : 0.2376 <= sin 0.24 /\ 0.389 <= sin 0.4 /\ 0.1395 <= sin 0.14 /\ cos 0.24 <= 0.9714 /\
   cos 0.18 <= 0.9839.
 Proof. repeat split; interval. Qed.
-
-Lemma quotient_at_most a b c : 0 < c -> a <= b * c -> a / c <= b.
-Proof. intros Hc H. apply Rmult_le_reg_r with c; [exact Hc|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. Qed.
-Lemma quotient_at_least a b c : 0 < c -> b * c <= a -> b <= a / c.
-Proof. intros Hc H. apply Rmult_le_reg_r with c; [exact Hc|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. Qed.
 
 (** The tangent flight as a step: Q, and J <= Q. *)
 Section Last.
@@ -59,12 +51,7 @@ Proof.
 Qed.
 End Last.
 
-(** tan th from cos th, since cos^2 (1 + tan^2) = 1. *)
-Lemma tangent_square th : 0 < th < PI/2 -> 0 < cos th /\ 0 < tan th /\ cos th * cos th * (1 + tan th * tan th) = 1.
-Proof.
-  intros H. assert (C : 0 < cos th) by (apply cos_gt_0; lra). split; [exact C|]. split; [apply tan_gt_0; lra|].
-  assert (K := sin2_cos2 th). unfold Rsqr in K. apply eq_trans with (2 := K). unfold tan. field. lra.
-Qed.
+(** tan th from cos th. *)
 Lemma tangent_at_most th c t : 0 < th < PI/2 -> 0 <= c <= cos th -> 0 <= t -> 1 <= c * c * (1 + t * t) -> tan th <= t.
 Proof.
   intros H Hc Ht E. destruct (tangent_square th H) as [A [B D]]. apply Rnot_lt_le. intros K.

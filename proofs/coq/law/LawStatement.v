@@ -1,6 +1,6 @@
-(** Statement: the law for every mass ratio (Theorems A and B of law.md) and the conditions it is proved from (law.md,
-    "What the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit.
-    Definitions only.
+(** Statement: the law for every mass ratio (Theorems A and B of law.md), and conditions it is proved from (law.md, "What
+    the certificate proves"): inequalities about single steps and about the first 902 ratios, none about an orbit. They
+    are theorems, too: steps_hold, layer_holds and end_holds. Definitions only.
 
     growth, step_constant, law_constant == C, k0, c0
     cube, quarter           == (sqrt (n + 1) - sqrt n)^3; q^(-1/4)
@@ -14,8 +14,7 @@
     step, last              == from a contact to the next one; from the last contact along the tangent flight
     middle, half, middle_invariant, defect == U, d, Q, D of a step
     difference, comparison, place == Delta, D0, y of a T (L57)
-    near_half_pi, rate, width == the window of (C9) and (C10), and p and w of (C9)
-    steps, layer, bulk, end_of_orbit == the conditions (C1) to (C4), (C5) to (C8), (C9) and (C10), (C11) *)
+    steps, layer_defect, end_of_orbit == the conditions (C1) to (C4), (C6) and (C7), (C11) *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Dumbbell Require Import Statement.
@@ -78,28 +77,15 @@ Definition steps := forall N, (3 <= N <= 902)%nat -> exists a b, 1 <= a /\ 1 <= 
   ((9 <= N)%nat -> INR N - 2 < growth * sqrt a /\ growth * sqrt b - (INR N - 2) < law_constant * quarter b) /\
   -0.115 <= growth * sqrt a - (INR N - 2) /\ growth * sqrt b - (INR N - 2) <= 0.020.
 
-(** (C5) to (C8): where U < 9/10, and d/U <= 1/5. *)
-Definition layer := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
+(** (C6) and (C7): where U < 9/10, and d/U <= 1/5. That T > 1 there, (C5), and how J falls, (C8), is proved in LayerClock.v
+    and LayerFalls.v. *)
+Definition layer_defect := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
   let U := middle u u' in U <= 9/10 -> half u u' <= U / 5 ->
   PI/2 - 1/100 <= middle_invariant eps u al u' <= PI/2 + 1/20 ->
   PI/2 - 5.3 * eps^2 / u^3 <= invariant u al <= PI/2 + eps^2 / 4 ->
   let T := clock eps u al in let y := place eps T in let Delta := difference T in
-  1 < T /\
   comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * Delta^2)) <= defect eps u al u' al' <=
-    comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)) /\
-  invariant u al - invariant u' al' <= 15.9 * (2 * half u u') * eps^2 / U^4.
-
-(** (C9), and (C10) on three ranges of theta. *)
-Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
-Definition rate t := - (1/3) + 0.94 * t^2 - 1.035 * t^4 + 2.107 * t^8.
-Definition width t := 0.006 + 0.75 * t^8.
-Definition bulk := forall eps u al u' al', step eps u al u' al' -> eps <= 1/1000 ->
-  near_half_pi (middle_invariant eps u al u') ->
-  let th := al + beta eps u in let share := eps / 2 * (al' - al) in
-  let Lambda hi := invariant u al - invariant u' al' <= hi * (eps^2 * (al' - al)) in
-  (th <= 0.7944 -> near_half_pi (invariant u al) -> near_half_pi (invariant u' al') ->
-    Rabs (defect eps u al u' al' - rate th * share) <= width th * share) /\
-  (th <= 0.6 -> Lambda 2.1) /\ (0.6 <= th <= 0.7 -> Lambda 6.2) /\ (0.7 <= th <= 0.7944 -> Lambda 22.7).
+    comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * Delta^2)).
 
 (** (C11): what the clock shows at the last contact, beside k0 s. *)
 Definition end_of_orbit := forall eps u al y, last eps u al y -> eps <= 1/1000 -> u <= 0.18 ->

@@ -4,7 +4,6 @@
     root              == sqrt (F^2 - J^2)
     G1, G2, G3, G4    == the derivatives of G by F
     H, H2             == the derivatives of G by J (G_derive_J, H_derive_J)
-    grows             == a function is >= 0 that begins with 0 and has a derivative >= 0
     combine, negated  == derivatives of e (p - f) and of - f
     even, odd         == f (F + y) + f (F - y) and f (F - y) - f (F + y)
     moment_cos, moment_sin == the integrals of y^n cos y and of y^n sin y
@@ -50,16 +49,6 @@ Qed.
 Lemma H_derive_J : is_derive (fun J => H F J) J (H2 F J).
 Proof. unfold H, H2, root. by_rules. Qed.
 End Derivatives.
-
-(** Taylor's formula at a point, by signs: what is 0 at 0 and has a derivative >= 0 is >= 0. *)
-Lemma grows (f f' : R -> R) d : (forall y, 0 <= y <= d -> is_derive f y (f' y)) -> (forall y, 0 <= y <= d ->
-  0 <= f' y) -> f 0 = 0 ->
-  forall y, 0 <= y <= d -> 0 <= f y.
-Proof.
-  intros D P Z y [[Hy|<-] Hd]; [|rewrite Z; lra].
-  destruct (MVT_cor2 f f' 0 y Hy) as [t [E Ht]]; [intros t Ht; apply is_derive_Reals, D; lra|]. rewrite Z in E.
-  assert (0 <= f' t * (y - 0)) by (apply Rmult_le_pos; [apply P; lra | lra]). lra.
-Qed.
 
 Section Taylor.
 Variables F Q d : R.

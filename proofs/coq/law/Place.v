@@ -4,7 +4,7 @@
     scale_value      == decimals of c/2
     L57a_product     == k0 s h = eps/(3 sqrt 3); so D0(T) y = eps Delta^2/(3 sqrt 3)
     place_range      == h <= 0.0739, y^2 <= 1.334
-    layer_defect     == 0 < D <= D0(T), and the two bounds without a quotient *)
+    layer_powers     == 0 < D <= D0(T), and the two bounds without a quotient *)
 From Coq Require Import Reals Lra.
 From Interval Require Import Tactic.
 From Dumbbell Require Import LawStatement Differences Cubes Comparison.
@@ -59,7 +59,7 @@ Qed.
 
 Hypothesis C7 : comparison eps T * (1 - y * (5 / (3 * PI) + 0.125 * y + 0.45 * d^2)) <= D.
 Hypothesis C6 : D <= comparison eps T * (1 - y * (5 / (3 * PI) - 0.155 * y - 0.43 * d^2)).
-Theorem layer_defect : 0 < D <= z * d^3 /\ z * (d^3 - h * (g * d^2 + 0.125 * h * d + 0.45 * d^4)) <= D /\
+Theorem layer_powers : 0 < D <= z * d^3 /\ z * (d^3 - h * (g * d^2 + 0.125 * h * d + 0.45 * d^4)) <= D /\
   D <= z * (d^3 - h * (g * d^2 - 0.155 * h * d - 0.43 * d^4)).
 Proof.
   destruct place_range as [D1 [Y0 [Y1 [H1 Y2]]]]. fold g in C6, C7.

@@ -1,15 +1,16 @@
 (** What J loses at a step, nothing singular (L43 (c) and L49 (11) of law.md): J - J' = a d^3/U^2.
 
     sinc            == sin x/x
+    cosines_share   == c^2 c'^2/(c + c') <= 1/2
     L43c_fall       == (8): J - J' from X - X', c - c' and the sines of beta
     L43c_X, L43c_cos, L43c_sin == these differences in closed form
     size_x, size_c, size_s, size == x^, k_c, k_s, a
     size_x1, size_after, size_before == X_1, a_p, a_A
-    L49_size        == J - J' = a d^3/U^2, C8_reads == condition (C8) is a/(2 eps^^2) <= 15.9
+    L49_size        == J - J' = a d^3/U^2
     L49_after, L49_before == A' = a_p d^2/U, A = a_A d^2/U *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Dumbbell Require Import LawStatement Sines Angles Falls.
+From Dumbbell Require Import Signs Quotients LawStatement Sines Angles Falls.
 Local Open Scope R_scope.
 
 Definition sinc x := sin x / x.
@@ -24,6 +25,14 @@ Proof.
   replace (sin v * sin v) with (sin v * sin v * (eps / sin v * c * (eps / sin v * c) + c * c)) at 2
     by (rewrite K; ring).
   field. lra.
+Qed.
+
+Lemma cosines_share c c' : 0 < c <= 1 -> 0 < c' <= 1 -> c^2 * c'^2 / (c + c') <= 1/2.
+Proof.
+  intros H H'. apply quotient_at_most; [lra|]. assert (c * c' * (c * c') <= 1 * (c * c'))
+    by (apply Rmult_le_compat_r; [pos | apply Rle_trans with (1 * 1); [pos | lra]]).
+  assert (c * c' <= c * 1) by pos. assert (c * c' <= 1 * c') by pos.
+  replace (c^2 * c'^2) with (c * c' * (c * c')) by ring. lra.
 Qed.
 
 Section Sizes.
@@ -138,18 +147,6 @@ Proof.
     repeat split; lra. }
   rewrite L43c_fall, X1, X2, X3. unfold size. field. lra.
 Qed.
-(** The last clause of the condition [layer]. *)
-Theorem C8_reads : size <= 15.9 * (2 * e^2) <->
-  invariant u (th - b) - invariant u' (th + b') <= 15.9 * (2 * half u u') * eps^2 / middle u u' ^ 4.
-Proof.
-  destruct (middle_range u u' Hu Hu2) as [HU [Hd _]]. fold U in HU. fold d in Hd. rewrite L49_size. fold U d.
-  assert (E : 15.9 * (2 * d) * eps^2 / U^4 = 15.9 * (2 * e^2) * d^3 / U^2) by (unfold e; field; lra). rewrite E.
-  unfold Rdiv.
-  assert (P : 0 < d^3 * / U^2) by (apply Rmult_lt_0_compat; [apply pow_lt | apply Rinv_0_lt_compat, pow_lt]; lra).
-  rewrite !(Rmult_assoc _ (d^3)).
-  split; intros K; [apply Rmult_le_compat_r; lra | now apply Rmult_le_reg_r with (1 := P)].
-Qed.
-
 (** A' = a_p d^2/U and A = a_A d^2/U. *)
 Let t' := eps / (d * sin u').   (* b' of law.md: tan beta' = d b' *)
 Definition size_x1 := - (cos U * sinc d + sin U * ((sin d - d * cos d) / d^2)) / ((1 - rho) * sinc u').

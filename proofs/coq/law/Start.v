@@ -7,7 +7,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import Trigonometry Ray LawStatement Sines Angles Orbit Ends Windows.
+From Dumbbell Require Import PiValue Quotients Trigonometry Ray LawStatement Sines Angles Orbit Ends Windows.
 Local Open Scope R_scope.
 
 Lemma third : acos (PI / 2 / PI) = PI / 3.

@@ -47,8 +47,7 @@ Proof.
     right. split; [rewrite Nat.even_add, Nat.even_mul; reflexivity | exact (top_clock eps _ _ E1 H)].
 Qed.
 
-Hypothesis Hlayer : layer.
-Hypothesis Hbulk : bulk.
+Hypothesis Hlayer : layer_defect.
 Hypothesis Hend : end_of_orbit.
 
 (** The layer and the end, T_k - (m + 1) over eps, where m = n - k, beside k0 s times the sum of all cubes. *)
@@ -59,7 +58,7 @@ Lemma layer_and_end : exists k z, 0 < sqrt eps /\ z = step_constant * sqrt eps /
 Proof.
   destruct eps_small as [E1 [E2 E3]]. destruct (small_root eps E1) as [S1 S2]. set (s := sqrt eps) in *.
   destruct k0_value as [K1 K2]. destruct Series_value as [C1 C2].
-  destruct (L54 eps N n u al y (proj2 E1) Orb Hlayer Hbulk Hend) as [k [F1 F2 F3 F4 [F5 [F6 F7]]]].
+  destruct (L54 eps N n u al y (proj2 E1) Orb Hlayer Hend) as [k [F1 F2 F3 F4 [F5 [F6 F7]]]].
   exists k, (step_constant * s). split; [lra|]. split; [reflexivity|]. split; [exact F2|].
   fold (T O) (T k) in F2. fold (T k) in F3. fold (T n) in F5, F7. fold s in F7. apply Rabs_le_between in F7.
   set (z := step_constant * s) in *.
@@ -207,13 +206,13 @@ Proof.
   intros Hq. unfold quarter. assert (0 < sqrt q) by (now apply sqrt_lt_R0). rewrite pow_inv. f_equal.
   apply pow2_sqrt. lra.
 Qed.
-Lemma enclosed N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Lemma enclosed N q : steps -> layer_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q.
 Proof.
-  intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc).
+  intros HS HL HE HN Hc. assert (Hq := late_enough N q HS HN Hc).
   destruct (orbit_of_critical N q ltac:(lia) Hc) as [n [u [al [y Orb]]]].
   unfold law_with_logarithm. cbv zeta. rewrite quarter_square by lra.
-  exact (both_halves N q Hc Hq n u al y Orb HL HB HE).
+  exact (both_halves N q Hc Hq n u al y Orb HL HE).
 Qed.
 (** kappa ln q + 0.57 + 2.6 s < c0 q^(1/4). *)
 Lemma A_positive q : 1000000 <= q ->
@@ -238,10 +237,10 @@ Proof.
   apply Rmult_lt_reg_r with w; [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
   assert (0.17 * w <= law_constant * w) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
-Theorem theorem_A N q : steps -> layer -> bulk -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
+Theorem theorem_A N q : steps -> layer_defect -> end_of_orbit -> (903 <= N)%nat -> critical N q ->
   law_with_logarithm N q /\ 0 < delta N q < law_constant * quarter q.
 Proof.
-  intros HS HL HB HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := enclosed N q HS HL HB HE HN Hc).
+  intros HS HL HE HN Hc. assert (Hq := late_enough N q HS HN Hc). assert (A := enclosed N q HS HL HE HN Hc).
   split; [exact A|]. unfold law_with_logarithm in A. cbv zeta in A. rewrite quarter_square in A by lra.
   apply Rabs_le_between in A. destruct (A_positive q Hq) as [P Q].
   assert (K : 0.38 <= constant_of N <= 0.497) by (unfold constant_of; destruct (Nat.even N); lra).

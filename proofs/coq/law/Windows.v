@@ -1,5 +1,6 @@
 (** First windows (L53 of law.md): where the middle invariant Q of a step, or of the tangent flight, is.
 
+    near_half_pi    == the window of the bulk
     beta_above      == 0 < beta <= eps/sin u
     L53a_layer      == in the layer Q is in pi/2 + [-0.01, 0.05]
     L53b_bulk       == in the bulk Q is in pi/2 + [-1, 3] 10^-5, th < 0.7944, d < 0.00293, beta <= 0.0013
@@ -8,9 +9,10 @@
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Dumbbell Require Import LawStatement Sines Angles Falls Orbit Ends.
+From Dumbbell Require Import PiValue LawStatement Sines Angles Falls Orbit Ends.
 Local Open Scope R_scope.
 
+Definition near_half_pi J := PI/2 - 1/100000 <= J <= PI/2 + 3/100000.
 Lemma window_values : 0.7833 <= sin 0.9 /\ cos 0.9 <= 0.6217 /\ 0.7814 <= sin 0.897 /\ 0.679 <= sin 0.747 /\
   cos 0.7944 < 0.70074.
 Proof. repeat split; interval. Qed.

@@ -1,5 +1,6 @@
 (* A certificate as Coq terms, for the kernel: --term FOLDER writes Part1.v, Part2.v, ... of at most 200 pieces each, and Whole.v with
-   the theorem; of a claim without a certificate only Whole.v. It is not trusted: what is proved stands in the theorem, which coqc prints. *)
+   the theorem, `given` what law/Bases.v proves; of a claim without a certificate only Whole.v. It is not trusted: what is proved stands
+   in the theorem, which coqc prints. *)
 open Convert
 
 let pieces_a_part = 200
@@ -58,7 +59,7 @@ let write folder name text =
 
 let write_part folder k l =
   let b = Buffer.create 100000 in
-  Buffer.add_string b "From Coq Require Import ZArith NArith List.\nFrom Dumbbell Require Import Certificate Check Verdict.\n\
+  Buffer.add_string b "From Coq Require Import ZArith NArith List.\nFrom Dumbbell.checker Require Import Certificate Check.\nFrom Dumbbell.theorems Require Import Verdict.\n\
 Import ListNotations.\nLocal Open Scope N_scope.\n\
 Local Notation count a b := (Leaf (Count a b)).\nLocal Notation out := (Leaf Outside).\n\
 Local Notation half_e := (Split axis_e).\nLocal Notation half_y := (Split axis_slope).\nLocal Notation half_q := (Split axis_q).\n\
@@ -87,21 +88,25 @@ let about_gaps (from, upto) d =
   else
     Printf.sprintf " /\\\n  exists gaps, known_but_in gaps (pieces whole) (%s) (%s)%s%s" (value from) (value upto)
       (said width d.C.asked_gap) (said number d.C.asked_gaps),
-    "  split; [|destruct (gaps_as_asked _ _ (fault_none _ _ _ accepted)) as [gaps [K [W L]]]; [reflexivity|]; exists gaps; repeat apply conj;\n\
+    "  split; [|destruct (gaps_as_asked _ _ (accepted B)) as [gaps [K [W L]]]; [reflexivity|]; exists gaps; repeat apply conj;\n\
     (exact K || exact (W _ _ eq_refl) || exact (L _ eq_refl))].\n"
-let shown = "Check proved_by_the_kernel.\nRedirect \"assumptions\" Print Assumptions proved_by_the_kernel.\n"
+type how = By_orbits of C.numbers * C.numbers | By_law
 
-let write_claim folder (from, upto) most least for_most for_least =
+let write_claim folder (from, upto) most least how =
   let numbers = function C.Machine_doubles -> "Machine_doubles" | C.Bits b -> "(Bits " ^ count b ^ ")" in
+  let computed, answer, used = match how with
+    | By_orbits (v, w) -> Printf.sprintf "holds %s %s asked" (numbers v) (numbers w), "true", "orbits _ _ _"
+    | By_law -> "by_law asked", "Holds", "law _" in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals NArith.\n\
-From Dumbbell Require Import Statement Certificate Decide Decided.\n\
+From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Decide ByLaw.\n\
+From Dumbbell.exact Require Import Decided.\nFrom Dumbbell.law Require Import Bases.\n\
 Definition asked : claim := Build_claim %s %s %s %s.\n\
-Lemma accepted : holds %s %s asked = true.\nProof. vm_cast_no_check (eq_refl true). Qed.\nLocal Open Scope R_scope.\n\
-Theorem proved_by_the_kernel : %s.\nProof.\n\
-  intros q Hq. destruct (decided_by_orbits _ _ _ accepted q Hq) as [U V].\n\
-  repeat split; (apply U || apply V); reflexivity.\nQed.\n%s"
-    (ratio from) (ratio upto) (option count most) (option count least) (numbers for_most) (numbers for_least)
-    (statement (from, upto) most least false) shown)
+Lemma accepted : %s = %s.\nProof. vm_cast_no_check (eq_refl %s). Qed.\nLocal Open Scope R_scope.\n\
+Theorem given : bases -> %s.\nProof.\n\
+  intros [orbits [law _]] q Hq. destruct (%s accepted q Hq) as [U V].\n\
+  repeat split; (apply U || apply V); reflexivity.\nQed.\n"
+    (ratio from) (ratio upto) (option count most) (option count least) computed answer answer
+    (statement (from, upto) most least false) used)
 
 let write_all folder demand c =
   let l = parts c.C.pieces in
@@ -113,19 +118,18 @@ let write_all folder demand c =
     | most, least -> "the demand", most, least in
   let gaps, of_gaps = about_gaps (from, upto) demand in
   write folder "Whole.v" (Printf.sprintf "From Coq Require Import Reals ZArith NArith List String Lra.\n\
-From Dumbbell Require Import Statement Certificate Check Piece AtMostOnce KnownButInGaps Verdict.\nFrom Kernel Require %s.\nImport ListNotations.\n\
+From Dumbbell.statement Require Import Statement.\nFrom Dumbbell.checker Require Import Certificate Check.\n\
+From Dumbbell.upper Require Import AtMostOnce.\nFrom Dumbbell.theorems Require Import Piece KnownButInGaps Verdict.\n\
+From Dumbbell.law Require Import Bases.\nFrom Kernel Require %s.\nImport ListNotations.\n\
 Definition whole : certificate := Build_certificate \"%s\" \"%s\" %s %s %s (%s).\n\
 (** As asked; what is not asked of it is what %s says. *)\n\
 Definition asked : demand := Build_demand (Some (%s, %s)) %s %s %s %s %b.\n\
-Lemma accepted : certificate_fault true asked whole = None.\nProof.\n  apply all_parts.\n  - vm_cast_no_check (eq_refl true).\n\
+Lemma accepted : bases -> proved asked whole.\nProof.\n  intros [_ [_ parts]]. apply parts.\n  - vm_cast_no_check (eq_refl true).\n\
   - discriminate.\n  - unfold whole; cbn [pieces]. rewrite ?faultless_app%s. reflexivity.\n\
   - vm_cast_no_check (eq_refl (@None string)).\nQed.\nLocal Open Scope R_scope.\n\
-Theorem proved_by_the_kernel : %s%s.\nProof.\n%s  intros q Hq.\n\
-  destruct (as_asked _ _ (fault_none _ _ _ accepted) q) as [U [V W]]; [exact Hq|].\n\
-  repeat apply conj; (apply U || apply V || apply W); reflexivity.\nQed.\n\
-Theorem each_piece_proved : forall P, In P (pieces whole) -> forall q : R, in_piece P q ->\n\
-  (forall U w, bound P = Some (U, w) -> upper_bound q (N.to_nat U)) /\\ lower_bound q (N.to_nat (attained P)).\n\
-Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
+Theorem given : bases -> %s%s.\nProof.\n  intros B.\n%s  intros q Hq.\n\
+  destruct (as_asked _ _ (accepted B) q) as [U [V W]]; [exact Hq|].\n\
+  repeat apply conj; (apply U || apply V || apply W); reflexivity.\nQed.\n"
     (String.concat " " names) (of_coq c.C.program) (of_coq c.C.program_version)
     (match c.C.about with C.Turning -> "turning" | C.Full -> "full" | C.Full_minimal -> "full_minimal") (ratio c.C.range_from) (ratio c.C.range_to)
     (String.concat " ++ " (List.map (fun n -> n ^ ".part") names)) said
@@ -133,4 +137,4 @@ Proof. exact (each_piece _ _ (fault_none _ _ _ accepted)). Qed.\n%s"
     (option (fun (n, e) -> Printf.sprintf "(%s, %s%%positive)" (count n) (decimal (C.Npos e))) demand.C.asked_gap)
     (option count demand.C.asked_gaps) demand.C.asked_once
     (String.concat "" (List.map (fun n -> ", " ^ n ^ ".part_holds") names))
-    (statement (from, upto) most least demand.C.asked_once) gaps of_gaps shown)
+    (statement (from, upto) most least demand.C.asked_once) gaps of_gaps)

@@ -33,7 +33,10 @@ let examine (o : Demand.t) path =
     prerr_endline ("prove: " ^ path ^ ": " ^ beside o.asked c);
     "s VERIFIED " ^ line
   | C.Rejected (k, why) -> raise (Ended (1, "s REJECTED " ^ place k ^ of_coq why))
-  | C.Unsupported (k, why) -> raise (Ended (3, "s UNSUPPORTED " ^ place k ^ of_coq why))
+  | C.Unsupported (k, why) ->
+    if List.mem "claim law" lines then
+      prerr_endline ("prove: " ^ path ^ ": the law is a theorem that needs no file (Law.law): --ratio Q --exactly N asks it of a mass ratio");
+    raise (Ended (3, "s UNSUPPORTED " ^ place k ^ of_coq why))
   | C.Limit why -> raise (Ended (4, "s LIMIT " ^ of_coq why))
 
 let verdict examine =

@@ -1,9 +1,13 @@
 (** Bounds of sine and cosine by polynomials.
 
+    grows           == a function is >= 0 that begins with 0 and has a derivative >= 0
     tangent_above   == d cos d < sin d
     sine_square     == sin^2 x <= x^2
     cosine_below    == 1 - x^2/2 <= cos x
     sine_below      == x - x^3/6 <= sin x
+    cosine_above    == cos x <= 1 - x^2/2 + x^4/24
+    sine_above      == sin x <= x - x^3/6 + x^5/120
+    tangent_square  == cos^2 (1 + tan^2) = 1
     arctangent_below == x - x^3 <= atan x *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -50,4 +54,37 @@ Proof.
   { apply Rmult_le_reg_r with (1 + s * s); [lra|]. rewrite Rinv_l by lra.
     assert (0 <= x * x * (s * s)) by (apply Rmult_le_pos; lra). lra. }
   assert ((1 - x * x) * x <= / (1 + s * s) * x) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+(** Taylor's formula at a point, by signs: what is 0 at 0 and has a derivative >= 0 is >= 0. *)
+Lemma grows (f f' : R -> R) d : (forall y, 0 <= y <= d -> is_derive f y (f' y)) -> (forall y, 0 <= y <= d ->
+  0 <= f' y) -> f 0 = 0 ->
+  forall y, 0 <= y <= d -> 0 <= f y.
+Proof.
+  intros D P Z y [[Hy|<-] Hd]; [|rewrite Z; lra].
+  destruct (MVT_cor2 f f' 0 y Hy) as [t [E Ht]]; [intros t Ht; apply is_derive_Reals, D; lra|]. rewrite Z in E.
+  assert (0 <= f' t * (y - 0)) by (apply Rmult_le_pos; [apply P; lra | lra]). lra.
+Qed.
+
+Lemma cosine_above x : 0 <= x -> cos x <= 1 - x^2 / 2 + x^4 / 24.
+Proof.
+  intros Hx. assert (H : 0 <= 1 - x^2 / 2 + x^4 / 24 - cos x); [|lra].
+  apply (grows (fun y => 1 - y^2 / 2 + y^4 / 24 - cos y) (fun y => - y + y^3 / 6 + sin y) x); [| | |lra].
+  - intros y _. auto_derive; [easy | field].
+  - intros y Hy. assert (H := sine_below y ltac:(lra)). simpl. lra.
+  - rewrite cos_0. field.
+Qed.
+Lemma sine_above x : 0 <= x -> sin x <= x - x^3 / 6 + x^5 / 120.
+Proof.
+  intros Hx. assert (H : 0 <= x - x^3 / 6 + x^5 / 120 - sin x); [|lra].
+  apply (grows (fun y => y - y^3 / 6 + y^5 / 120 - sin y) (fun y => 1 - y^2 / 2 + y^4 / 24 - cos y) x); [| | |lra].
+  - intros y _. auto_derive; [easy | field].
+  - intros y Hy. assert (H := cosine_above y ltac:(lra)). lra.
+  - rewrite sin_0. field.
+Qed.
+
+(** cos^2 (1 + tan^2) = 1. *)
+Lemma tangent_square th : 0 < th < PI/2 -> 0 < cos th /\ 0 < tan th /\ cos th * cos th * (1 + tan th * tan th) = 1.
+Proof.
+  intros H. assert (C : 0 < cos th) by (apply cos_gt_0; lra). split; [exact C|]. split; [apply tan_gt_0; lra|].
+  assert (K := sin2_cos2 th). unfold Rsqr in K. apply eq_trans with (2 := K). unfold tan. field. lra.
 Qed.

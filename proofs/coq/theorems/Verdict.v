@@ -1,5 +1,8 @@
 (** The whole way from the lines of a file to two masses and a floor: what it means that the checker answers
-  `Verified`. *)
+    `Verified`.
+
+    proved, fault_none  == all that is printed, and was asked; it is true where the checker finds no fault
+    faultless, all_parts == no fault in some pieces; a certificate in parts, each of which has none *)
 From Coq Require Import Reals ZArith NArith List Lra String.
 From Dumbbell Require Import Physics Certificate Check Text Reader Piece Range AtMostOnce KnownButInGaps.
 Import ListNotations.

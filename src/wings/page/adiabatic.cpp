@@ -1,4 +1,3 @@
-
 #include "adiabatic/writer.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"

@@ -13,6 +13,7 @@
 #include "starts/answer/writer.hpp"
 #include "target.hpp"
 #include "verify/program/verify.hpp"
+#include "verify/wings/starts/claim.hpp"
 
 namespace {
 

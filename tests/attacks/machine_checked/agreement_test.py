@@ -209,7 +209,7 @@ class Agreement(unittest.TestCase):
         return ended.returncode
 
     def same_numbers(self, found):
-        """One line of `dumbbell certify --json`: its bounds are theorems by the orbits; of a single ratio no better ones are."""
+        """One line of `dumbbell certify --json`: its bounds are theorems without a file; of a single ratio no better ones are."""
         ratio = found["given"]
         most, least = max(piece["upper"] for piece in found["pieces"]), min(piece["lower"] for piece in found["pieces"])
         self.assertEqual(self.decided(ratio, "--max", most, "--min", least), 0, found)
@@ -232,12 +232,21 @@ class Agreement(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool:
             list(pool.map(self.same_numbers, found))
 
+    def test_law(self):
+        """Where no orbit can be followed."""
+        chance = random.Random(61)
+        requests = [f"{chance.uniform(1, 10):.6f}e{chance.randrange(13, 300)}" for _ in range(20 * SCALE)]
+        listed = subprocess.run([DUMBBELL, "law", "--json", "--list", "-"], input="\n".join(requests), capture_output=True, text=True, check=True)
+        for found in map(json.loads, listed.stdout.splitlines()):
+            self.same_numbers(found | {"pieces": [{side: int(found[side]) for side in ("upper", "lower")}]})
+
     def test_orbits_at_the_edge(self):
         """Equal masses, masses exchanged, ratios and numbers beyond all bounds, more collisions than the budget has, what is no claim."""
         for ratio, claim, code in (("1", "--exactly 2", 0), ("1", "--max 1", 1), ("1", "--min 3", 1), ("1.000000000000000000000001", "--min 3", 0),
                                    ("1/10", "--exactly 4", 0), ("1:1e6", "--max 887", 0), ("1:1e6", "--max 887 --min 3", 1),
                                    ("999900:1e6", "--exactly 887", 0), ("1e8", "--exactly 8857", 0), ("1e1000", "--min 5", 0),
-                                   ("1e1000", "--max 5", 1), ("10", "--max " + "9" * 2100, 4), ("1e13", "--exactly 2800491", 4),
+                                   ("1e1000", "--max 5", 1), ("10", "--max " + "9" * 2100, 0), ("10", "--min " + "9" * 2100, 1),
+                                   ("1e13", "--exactly 2800499", 0), ("1275056886695232788234520.2", "--min 1000000000000", 4),
                                    ("10", "--min 0", 0), ("10", "--max 0", 1), ("10", "", 2), ("2:1", "--max 5", 2), ("0", "--max 5", 2)):
             self.assertEqual(self.decided(ratio, *claim.split()), code, f"{ratio} {claim}")
         self.assertEqual(subprocess.run([PROVE, "--max", "5"], capture_output=True, check=False).returncode, 2)

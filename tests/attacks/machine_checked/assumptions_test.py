@@ -23,7 +23,7 @@ From Coq Require Import Reals Floats.FloatAxioms.
 Section S.
 Variable x : R.
 Hypothesis Hx : 0 < x.
-Lemma positive : 0 < x. Proof. exact Hx. Qed.
+Lemma positive : 0 < x. Proof. assert (Cd := Hx). exact Cd. Qed.
 End S.
 Module Count (F : FloatOps with Definition sensible_format := true).
 Module Export Y := Fast F.
@@ -55,33 +55,39 @@ BAD_SOURCES = [
     "From Coq Require Import Reals ExtrOcamlBasic.", "Require Extraction.", "From Bad Require Import Reals.", "Require Import Bad.",
     'Notation "x < y" := True.', 'Section S. Notation "x < y" := (y < x). End S.', "Notation upper_bound := True.", "Local Notation PI := 3.",
     'Infix "<" := bad.', 'Reserved Notation "x < y".', "Coercion bad : nat >-> R.", "Canonical Structure bad := b.", "Arguments bad _%Z.",
-    "Bind Scope Z_scope with N.", "Implicit Types x : Z.", 'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
+    "Bind Scope Z_scope with N.", 'Add LoadPath "bad" as Bad.', 'Add ML Path "bad".', 'Cd "bad".', 'Time Cd "bad".', '#[local] Cd "bad".',
+    '- Cd "bad".', 'Redirect "bad" Print bad.', "Drop.", "Register bad as core.bool.type.", "Set Definitional UIP.", "From Dumbbell.a.b Require Bad.",
+    "Implicit Types x : Z.", 'Tactic Notation "exact" := admit_it.', "Delimit Scope Z_scope with R.",
 ]
 GOOD_HEADLINES = """From Coq Require Import Reals.
-From Dumbbell Require Import Statement.
-From Dumbbell Require Maximum Stretch.
+From Dumbbell.statement Require Import Statement.
+From Dumbbell.theorems Require Maximum.
 Local Open Scope R_scope.
 Theorem N_exists : forall q : R, 1 <= q ->
   exists n : nat, N_star q n.
 Proof. exact Maximum.N_exists. Qed.
 """
-BAD_HEADLINES = ["From Dumbbell Require Import Stretch.", "From Dumbbell Require Export Statement.", "Import Stretch.", "Local Open Scope Z_scope.",
-                 "Definition upper_bound (q : R) (n : nat) := True.", "Section S. End S.", "Module M. End M.", "From Coq Require Import ZArith.",
-                 "Theorem a : True. Proof. auto. Qed."]
+BAD_HEADLINES = ["From Dumbbell.corners Require Import Stretch.", "From Dumbbell.statement Require Export Statement.", "From Dumbbell Require Maximum.",
+                 "Import Stretch.", "Local Open Scope Z_scope.", "Definition upper_bound (q : R) (n : nat) := True.", "Section S. End S.",
+                 "Module M. End M.", "From Coq Require Import ZArith.", "Theorem a : True. Proof. auto. Qed."]
 
 AXIOM = "Classical_Prop.classic : forall P : Prop, P \\/ ~ P\n"
+# What Coq prints of all that axioms.txt lists.
+BESIDE = "Axioms:\n" + "".join(".".join(entry.split(" : ")[0].split(".")[-2:]) + "\n  : " + entry.split(" : ", 1)[1] + "\n"
+                               for kind, entry in assumptions.listed_axioms() if kind != "coqchk")
+BAD_BESIDE = [BESIDE.replace("Classical_Prop.", "Logic.Classical_Prop."), BESIDE + "bad : False\n", BESIDE.replace(": Set", ": Prop"), ""]
 GOOD_SAID = ["Closed under the global context\n", "Axioms:\n" + AXIOM,
-             "Axioms:\nClassicalDedekindReals.sig_forall_dec :\n  forall P : nat -> Prop,\n  (forall n : nat, {P n} + {~ P n})\n" + AXIOM,
+             "Axioms:\nClassicalDedekindReals.sig_forall_dec :\n  forall P : nat -> Prop,\n  (forall n : nat, {P n} + {~ P n}) ->\n"
+             "  {n : nat | ~ P n} + {forall n : nat, P n}\n" + AXIOM,
              "Axioms:\nFunctionalExtensionality.functional_extensionality_dep\n  : forall (A : Type) (B : A -> Type)\n"
-             "      (f g : forall x : A, B x),\n    (forall x : A, f x = g x) -> f = g\n" + AXIOM +
-             "Classical_Prop.classic : True\n"]
-COMPUTED = "Axioms:\n" + AXIOM + "PrimInt63.add : Int63.int -> Int63.int -> Int63.int\nPrimFloat.float : Set\n"
+             "      (f g : forall x : A, B x),\n    (forall x : A, f x = g x) -> f = g\n" + AXIOM]
+COMPUTED = "Axioms:\n" + AXIOM + "PrimInt63.add : PrimInt63.int -> PrimInt63.int -> PrimInt63.int\nPrimFloat.float : Set\n"
 BAD_SAID = [
     "", "\n", "Axioms:\n", "Axioms:\nbad : False\n", "Axioms:\nbad' : False\n", "Axioms:\n" + AXIOM + "Dumbbell.bad' : False\n",
     "Axioms:\nbad'\n  : False\n", "Axioms:\n" + AXIOM + "bad is assumed to be guarded.\n", "Axioms:\nbad is assumed to be positive.\n",
     "Axioms:\nClassical_Prop.classic is assumed to be guarded.\n", "Axioms:\nClassical_Prop.classic\n  is assumed to be guarded.\n",
-    "Axioms:\nbad relies on an unsafe hierarchy.\n", "Axioms:\nbad relies on definitional UIP.\n",
-    "Axioms:\nx.Classical_Prop.classic : False\n",
+    "Axioms:\nbad relies on an unsafe hierarchy.\n", "Axioms:\nbad relies on definitional UIP.\n", "Axioms:\nx.Classical_Prop.classic : False\n",
+    "Axioms:\nClassical_Prop.classic : True\n", "Axioms:\n" + AXIOM[:-1] + " \\/ P\n", "Axioms:\nBad." + AXIOM, "Axioms:\nLogic." + AXIOM,
     "Axioms:\nClassical_Prop.classics : False\n", "Axioms:\nClassical_Propxclassic : False\n", "Axioms:\nClassical_Prop.classic\n",
     "Axioms:\nClassical_Prop.classic :\n", "Axioms:\nbad' :\n  False\n", "Axioms:\nClassical_Prop.classic :\n" + AXIOM,
     "Axioms:\nClassical_Prop.classic\n" + AXIOM, "Axioms:\nClassical_Prop.classic:False\n", AXIOM, "Axioms:\n" + AXIOM + "\nTheory:\n",
@@ -146,8 +152,10 @@ class Assumptions(unittest.TestCase):
         self.judge(lambda text: assumptions.faults_of_source(text, "checker/Other.v"), [], [text])
 
     def test_theorem(self):
-        self.judge(assumptions.faults_of_theorem, GOOD_SAID, [*BAD_SAID, COMPUTED])
-        self.judge(lambda text: assumptions.faults_of_theorem(text, "computed "), [*GOOD_SAID, COMPUTED], BAD_SAID)
+        check = assumptions.faults_of_theorem
+        self.judge(lambda text: check(text, BESIDE), GOOD_SAID, [*BAD_SAID, COMPUTED])
+        self.judge(lambda text: check(text, BESIDE, "computed"), [*GOOD_SAID, COMPUTED], [*BAD_SAID, COMPUTED.replace("Set", "Type")])
+        self.judge(lambda beside: check(COMPUTED, beside, "computed"), [BESIDE], BAD_BESIDE)
 
     def test_context(self):
         self.judge(assumptions.faults_of_context, [GOOD_CONTEXT], BAD_CONTEXTS)
@@ -162,11 +170,13 @@ class Assumptions(unittest.TestCase):
     def test_program(self):
         self.assertTrue(self.accepts("sources", PROJECT / "proofs/coq"))
         with tempfile.TemporaryDirectory() as folder:
+            beside = Path(folder) / "beside"
+            beside.write_text(BESIDE)
             for kind, good, bad in (("theorem", GOOD_SAID[0], COMPUTED), ("computed", COMPUTED, BAD_SAID[0]), ("context", GOOD_CONTEXT, BAD_CONTEXTS[0])):
                 for text, is_good in ((good, True), (bad, False)):
                     said = Path(folder) / kind
                     said.write_text(text)
-                    self.assertEqual(self.accepts(kind, said), is_good)
+                    self.assertEqual(self.accepts(kind, *[beside] * (kind != "context"), said), is_good)
 
     def test_folder(self):
         """Each file is read, and all are listed, without an option besides."""
@@ -178,15 +188,21 @@ class Assumptions(unittest.TestCase):
                 return self.accepts("sources", folder)
 
             self.assertFalse(accepts(options))
-            (folder / "deep").mkdir()
-            (folder / "a.v").write_text(GOOD_SOURCE)
-            (folder / "deep/b.v").write_text(GOOD_SOURCE)
-            self.assertTrue(accepts(options, "a.v", "deep/b.v"))
-            for listed in ([options, "a.v"], [options, "a.v", "deep/b.v", "c.v"], ["a.v", "deep/b.v"],
-                           ["-type-in-type", options, "a.v", "deep/b.v"], [options, "-arg -impredicative-set", "a.v", "deep/b.v"]):
+            files = ["Headlines.v", "a/a.v", "b/b.v"]
+            for file in files:
+                (folder / file).parent.mkdir(exist_ok=True)
+                (folder / file).write_text(GOOD_HEADLINES)
+            self.assertTrue(accepts(options, *files))
+            for listed in ([options, *files[:2]], [options, *files, "c.v"], files, ["-type-in-type", options, *files],
+                           [options, "-arg -impredicative-set", *files]):
                 self.assertFalse(accepts(*listed), listed)
-            (folder / "deep/b.v").write_text(BAD_SOURCES[0])
-            self.assertFalse(accepts(options, "a.v", "deep/b.v"))
+            # The name of another file, above the rooms or in another one; and what is in no room.
+            for second in ("a.v", "b/a.v", "b/Headlines.v", "c.v"):
+                (folder / second).write_text(GOOD_HEADLINES)
+                self.assertFalse(accepts(options, *files, second), second)
+                (folder / second).unlink()
+            (folder / "b/b.v").write_text(BAD_SOURCES[0])
+            self.assertFalse(accepts(options, *files))
 
 
 if __name__ == "__main__":

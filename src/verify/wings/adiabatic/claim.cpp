@@ -29,7 +29,7 @@ std::string deltas(const mpq_class& lo, const mpq_class& hi) {
                     : "For every delta in " + (lo == 0 ? "(0" : "[" + about(lo)) + ", " + about(hi) + "]";
 }
 std::string power(std::uint64_t sixteenths) {
-    const mpq_class exponent = mpq_class(std::to_string(sixteenths)) / 16;
+    const mpq_class exponent = mpq_class(mpz_class(std::to_string(sixteenths))) / 16;
     if (exponent == 0) return "";
     if (exponent == 1) return " delta";
     return " delta^" +

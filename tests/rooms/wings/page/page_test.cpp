@@ -1,4 +1,3 @@
-
 #include "catch.hpp"
 #include "collisions/chart.hpp"
 #include "collisions/section.hpp"
