@@ -27,8 +27,8 @@ std::vector<double> places(double end, int steps) {
 
 /// Of the contacts of a grid the first one with `enough` collisions, or else one with the most.
 Witness best_contact(const flight::Body<Interval>& body, long enough, const Interrupted& interrupted) {
-    constexpr double quarter = 1.5707963267948966;
-    std::vector<double> distances = places(quarter, 48);
+    constexpr double right_angle = 1.5707963267948966;
+    std::vector<double> distances = places(right_angle, 48);
     for (int depth = 20; depth > 2; --depth) {
         distances.push_back(1.5707 - std::ldexp(1.0, -depth));
     }

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "make_file.hpp"
 #include "scale.hpp"
+#include "verify/wings/starts/claim.hpp"
 
 using make::closed;
 using make::falling;
