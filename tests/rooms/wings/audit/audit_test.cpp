@@ -62,7 +62,7 @@ TEST_CASE("halves of rho of a body tile, and a half that is missing is named") {
         certificate_of({piece_of(3, 4,
                                  {{Chart::plain_contact, random_tree(50, body_axes, 3)},
                                   {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}})});
-    certificate.system.section = Section::body;
+    certificate.system.section = Section::plain_body;
     certificate.system.rho = Range{Rational(1, 2), Rational(3, 4)};
     CHECK(audit_of(certificate).tiles());
     certificate.pieces[0].cover.charts[1].tree.pop_back();
