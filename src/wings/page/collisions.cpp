@@ -11,7 +11,6 @@
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "collisions/section.hpp"
-#include "collisions/sections/body_witness.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
@@ -156,9 +155,7 @@ Json witness_json(const Piece& piece, const System& system) {
     std::optional<collisions::Witness> drawn = witness;
     if (witness.place == collisions::Place::corner) {
         const Rational q = exact(std::sqrt((piece.q_lo * piece.q_hi).convert_to<double>()));
-        const Rational rho = (system.rho->lo + system.rho->hi) / 2;
-        drawn = collisions::found_contact({q, q}, {system.section, collisions::Range{rho, rho}},
-                                          as_long(witness.total()), never);
+        drawn = collisions::contact_of_body<Interval>({q, q}, as_long(witness.total()), system);
     }
     return Json::object({{"chart", name(witness.place)},
                          {"e", drawn ? Json(to_fraction(drawn->e)) : Json()},
