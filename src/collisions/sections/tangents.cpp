@@ -85,13 +85,13 @@ long corner_hits(const Tangents<I>& of, const Rational& rho, const Rational& q, 
 /// L82, of the places [e0, e1]: f(e1) and b(e0), or at the corner J, and there the even value of Theorem B.
 template <class I>
 std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Interrupted& interrupted) {
-    const auto& [position, slope, ratio, height] = box.sides;
+    const auto& [position, slope, ratio] = box.sides;
     const I begin = position.lo.template enclosure<I>();
     if (certainly_less(half_pi<I>(), begin)) {
         return Leaf{Reason::outside};
     }
     const long upper = as_long(most), half = (upper - 1) / 2;
-    const Rational rho = height.lo, q = ratio.hi;
+    const Rational rho = box.rho, q = ratio.hi;
     const Tangents<I> of(rho, q, interrupted);
     const long up = of.upward(position.hi.template enclosure<I>(), half), room = half - up;
     if (up > half) {
@@ -155,7 +155,7 @@ long more_than_all(const Rational& q) {
     return static_cast<long>(2 * std::sqrt(q.convert_to<double>())) + 10;
 }
 
-const Rational& rho_of(const System& system) { return system.rho->lo; }
+const Rational& rho_of(const System& system) { return *system.rho; }
 
 template <class I>
 std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
@@ -215,7 +215,7 @@ std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, con
 }
 
 constexpr std::array tangent_charts{Chart::tangent};
-constexpr std::array plain_charts{Chart::plain_contact, Chart::plain_departure};
+constexpr std::array plain_body_charts{Chart::plain_contact, Chart::plain_departure};
 
 }  // namespace
 
@@ -280,7 +280,7 @@ const SectionRow plain_body_row = [] {
     row.bits_to_verify = 0;
     row.max_bits = double_bits;  // what it leaves open is next to a tie
     row.max_nodes = 20'000'000;
-    row.charts = plain_charts;
+    row.charts = plain_body_charts;
     row.by_lemma = symmetric_cover;
     return row;
 }();
