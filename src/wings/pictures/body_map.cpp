@@ -43,20 +43,15 @@ std::string kind_of(const Piece& piece) {
     return piece.status() == Status::exact ? count_kind(piece.lower) : "hatched";
 }
 
-void draw_piece(Svg& svg, const Frame& frame, const collisions::Range& rho, const Piece& piece) {
-    const double left = frame.x(value(rho.lo));
+void draw_piece(Svg& svg, const Frame& frame, const Rational& rho, const Piece& piece) {
+    const double x = frame.x(value(rho));
     const double top = frame.y(value(piece.q_hi));
-    const double width = frame.x(value(rho.hi)) - left;
     const double height = frame.y(value(piece.q_lo)) - top;
     constexpr double radius = 9;
-    constexpr double least_width = 6;  // of what has no width of its own
-    if (std::max(width, height) < 2 * radius) {
-        svg.circle(kind_of(piece), left + width / 2, top + height / 2, radius);
+    if (piece.q_lo == piece.q_hi) {
+        svg.circle(kind_of(piece), x, top, radius);
     } else {
-        const double shown_width = std::max(width, least_width);
-        const double shown_height = std::max(height, least_width);
-        svg.rect(kind_of(piece), left - (shown_width - width) / 2, top - (shown_height - height) / 2,
-                 shown_width, shown_height);
+        svg.rect(kind_of(piece), x - radius / 2, top, radius, height);
     }
 }
 

@@ -83,11 +83,11 @@ mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut;
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
 void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::collisions::Range>& heights) {
+                  const std::optional<dumbbell::Rational>& height) {
     const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
-    // The maximum does not decrease with q, nor do the bounds of a body with rho and Q.
-    const Bounds at_lo = heights ? of_body(mpq_class(heights->lo.raw()), lo) : maximum(scene, lo),
-                 at_hi = heights ? of_body(mpq_class(heights->hi.raw()), hi) : maximum(scene, hi);
+    // The maximum does not decrease with q, nor do the bounds of a body with Q.
+    const Bounds at_lo = height ? of_body(mpq_class(height->raw()), lo) : maximum(scene, lo),
+                 at_hi = height ? of_body(mpq_class(height->raw()), hi) : maximum(scene, hi);
     if ((!piece.upper || *piece.upper >= at_hi.least) && piece.lower <= at_lo.most) return;
     trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
          ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " + piece.lower.str() +

@@ -57,22 +57,6 @@ TEST_CASE("certificates of the prover tile") {
     }
 }
 
-TEST_CASE("halves of rho of a body tile, and a half that is missing is named") {
-    Certificate certificate =
-        certificate_of({piece_of(3, 4,
-                                 {{Chart::plain_contact, random_tree(50, body_axes, 3)},
-                                  {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}})});
-    certificate.system.section = Section::plain_body;
-    certificate.system.rho = Range{Rational(1, 2), Rational(3, 4)};
-    CHECK(audit_of(certificate).tiles());
-    certificate.pieces[0].cover.charts[1].tree.pop_back();
-    CHECK(only_fault(audit_of(certificate), "piece 1, chart departure: area 1/2 of the root's 1/1"));
-    certificate.system.rho = Range{Rational(1, 2), Rational(1, 2)};
-    certificate.pieces[0].cover.charts = {{Chart::plain_contact, {leaf()}},
-                                          {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}};
-    CHECK(only_fault(audit_of(certificate), "q 3/1..4/1, rho 1/2..1/2) and leaf 2 ("));
-}
-
 TEST_CASE("what is counted") {
     const Audit result = audit_of(example());
     CHECK(result.tiles());
