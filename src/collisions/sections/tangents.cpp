@@ -40,18 +40,7 @@ class Tangents {
     /// An upper bound of k1, and of T if J is `hits`.
     [[nodiscard]] long from_corner(long cap) const { return count(upward_from_corner(low_end(rho_)), cap); }
     [[nodiscard]] long even(long hits, long cap) const {
-        Ray<I> ray = along_bridge();
-        for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
-            switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
-                case Bounce::returns:
-                    break;
-                case Bounce::undecided:
-                    return cap + 1;
-                default:
-                    return 0;
-            }
-        }
-        return count(upward_from_corner(ray.kappa), cap);
+        return flight::even_at_most(hits, rho_, r_, cap, interrupted_);
     }
 
   private:
