@@ -66,16 +66,19 @@ class Edge {
     }
     /// f(e_j) of all, from below, if j <= J.
     [[nodiscard]] std::pair<long, double> orbit_from_below(long j) const {
-        const auto passes = [&](double p) {
+        const auto passes = [&](double p, bool if_there_is_none = false) {
             const auto behind = flight::outward_from_below(j, Interval(p), greatest_, r_);
-            return !behind || flight::passes_bridge(*behind, greatest_);
+            return behind ? flight::passes_bridge(*behind, greatest_) : if_there_is_none;
         };
         const auto collisions = [&](double p) {
             const auto behind = flight::outward_from_above(j, Interval(p), least_, r_);
             return behind ? count(flight::over_bridge(*behind)) : -1;
         };
-        const double p = threshold(low_end(least_).lo(), passes).second;
-        const long found = collisions(p);
+        // R is as high as 1 for all of them, the bridge only as the least one's.
+        const double p = threshold(j % 2 != 0 ? greatest_.hi() : least_.lo(), [&](double x) {
+                             return passes(x, true);
+                         }).second;
+        const long found = passes(p) ? collisions(p) : -1;
         return {found, shortest(
                            p, [](double x) { return std::ceil(x); },
                            [&](double x) { return passes(x) && collisions(x) == found; })};
@@ -95,7 +98,7 @@ class Edge {
             const auto behind = flight::outward_from_below(j, Interval(p), greatest_, r_);
             return behind ? at_most(flight::over_bridge(*behind), most) : most + 1;
         };
-        const double p = threshold(low_end(least_).lo(), misses).first;
+        const double p = threshold(least_.lo(), misses).first;
         const long found = collisions(p);
         return {found, p == 0 ? p
                               : shortest(
