@@ -1,6 +1,7 @@
 """The claim `collisions`: the file, its pieces and trees; format.md 2, 3 and format-sections.md."""
 
 import body
+import cells
 import full
 import gaps
 import plain
@@ -20,6 +21,7 @@ SECTIONS = {
     ("1", "hybrid", "turning"): wedge,
     ("body", "body", "full"): body.Bodies,
     ("body", "body", "tangents"): tangents.Tangents,
+    ("body", "body", "cells"): cells,
 }
 
 
@@ -97,6 +99,9 @@ def covered(intervals, low, high):
 def check(lines, header, judge):
     """Checks all after the line `claim`. `header` is a key of SECTIONS."""
     section, rho = SECTIONS[header], None
+    if section is cells:
+        ratios, rho, upper, lower, source = cells.check(lines, judge)
+        return Staircase("body", rho, False, [(*ratios, upper, lower)], source)
     every_body = section is tangents.Tangents
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not (1 <= lo or every_body) or lo > hi:
