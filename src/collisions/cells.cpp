@@ -46,9 +46,9 @@ double shortest(double p, Round round, const IsGood& is_good) {
 /// A side of a rectangle: all rho, one Q.
 class Edge {
   public:
-    Edge(const Range& rho, const Rational& q, const Interrupted& interrupted)
-        : least_(enclose<Interval>(rho.lo)),
-          greatest_(enclose<Interval>(rho.hi)),
+    Edge(const Rectangle& bodies, const Rational& q, const Interrupted& interrupted)
+        : least_(enclose<Interval>(bodies.rho.lo)),
+          greatest_(enclose<Interval>(bodies.rho.hi)),
           r_(enclose<Interval>(1 / q)),
           cap_(static_cast<long>(2 * std::sqrt(q.convert_to<double>())) + 10),  // L84 (a)
           interrupted_(interrupted) {}
@@ -150,20 +150,23 @@ class Cutter : SealedLines {
 
     void node(const Rectangle& box, int depth) {
         const LowerBound lower = least_collisions(box, interrupted_);
-        auto upper = at_most(lower.bound, box, interrupted_);
-        if (!upper && depth < deepest && splits_ < most_splits && box.rho.lo < box.rho.hi &&
-            is_even_out(box)) {
-            const Rational middle = (box.rho.lo + box.rho.hi) / 2;
-            line("split rho");
-            ++splits_;
-            node({{box.rho.lo, middle}, box.q}, depth + 1);
-            node({{middle, box.rho.hi}, box.q}, depth + 1);
-            return;
-        }
-        constexpr long most_between = 8;
         long most = lower.bound;
-        while (!upper && most < lower.bound + most_between && !interrupted_()) {
-            upper = at_most(++most, box, interrupted_);
+        auto upper = at_most(most, box, interrupted_);
+        if (!upper) {
+            const auto [fewest, seen] = at_corners(box);
+            if (fewest == seen && depth < deepest && splits_ < most_splits && box.rho.lo < box.rho.hi) {
+                const Rational middle = (box.rho.lo + box.rho.hi) / 2;
+                line("split rho");
+                ++splits_;
+                node({{box.rho.lo, middle}, box.q}, depth + 1);
+                node({{middle, box.rho.hi}, box.q}, depth + 1);
+                return;
+            }
+            constexpr long beyond = 4;
+            for (most = std::max(most + 1, seen); !upper && most <= seen + beyond; ++most) {
+                upper = at_most(most, box, interrupted_);
+            }
+            --most;
         }
         if (upper) {
             cell(most, *upper, lower);
@@ -173,14 +176,13 @@ class Cutter : SealedLines {
         }
     }
 
-    /// Whether its four corners seem to have as many collisions.
-    [[nodiscard]] bool is_even_out(const Rectangle& box) const {
+    /// The fewest and the most collisions that the bodies at its corners seem to have.
+    [[nodiscard]] std::pair<long, long> at_corners(const Rectangle& box) const {
         const auto at = [&](const Rational& rho, const Rational& q) {
             return least_collisions({{rho, rho}, {q, q}}, interrupted_).bound;
         };
-        const long first = at(box.rho.lo, box.q.lo);
-        return first == at(box.rho.lo, box.q.hi) && first == at(box.rho.hi, box.q.lo) &&
-               first == at(box.rho.hi, box.q.hi);
+        return std::minmax({at(box.rho.lo, box.q.lo), at(box.rho.hi, box.q.lo), at(box.rho.lo, box.q.hi),
+                            at(box.rho.hi, box.q.hi)});
     }
 
     void cell(long most, const UpperBound& upper, const LowerBound& lower) {
@@ -203,9 +205,8 @@ class Cutter : SealedLines {
 }  // namespace
 
 LowerBound least_collisions(const Rectangle& bodies, const Interrupted& interrupted) {
-    const Edge edge(bodies.rho, bodies.q.lo, interrupted);
-    const long near =
-        std::min(flight::corner_count(bodies.rho.lo, bodies.q.lo, most_in_corner), most_in_corner);
+    const Edge edge(bodies, bodies.q.lo, interrupted);
+    const long near = flight::corner_count(bodies.rho.lo, bodies.q.lo, most_in_corner);
     LowerBound best{near};
     const auto take = [&best](const LowerBound& found) { best = found.bound > best.bound ? found : best; };
     take({1 + 2 * edge.top()});
@@ -221,12 +222,12 @@ LowerBound least_collisions(const Rectangle& bodies, const Interrupted& interrup
 }
 
 std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Interrupted& interrupted) {
-    const Edge edge(bodies.rho, bodies.q.hi, interrupted);
+    const Edge edge(bodies, bodies.q.hi, interrupted);
     const long near = flight::corner_count(bodies.rho.hi, bodies.q.hi, most_in_corner),
                half = (upper - 1) / 2;
     UpperBound found{(near + 1) / 2, {}};
     long beyond = bodies.rho.lo == 1 ? 0 : edge.top_at_most(half);
-    if (near > most_in_corner || beyond > half) {
+    if (beyond > half) {
         return std::nullopt;
     }
     for (long x = half + 1 - beyond; x < found.end; x = half + 1 - beyond) {
@@ -241,6 +242,10 @@ std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Int
     const bool may_be_even =
         upper % 2 == 1 && near % 2 == 0 && edge.even_at_most(found.end - 1, last) >= last;
     return may_be_even ? std::nullopt : std::optional(found);
+}
+
+bool is_within_reach(const Rectangle& bodies) {
+    return flight::corner_count(bodies.rho.hi, bodies.q.hi, most_in_corner) <= most_in_corner;
 }
 
 Cells prove_cells(const Rectangle& bodies, const Interrupted& interrupted) {

@@ -42,7 +42,10 @@ struct Cells {
     [[nodiscard]] bool is_decided() const { return upper == lower; }
 };
 
-/// Cuts it along rho where one number seems to be right everywhere. Precondition: 0 < rho <= 1, 0 < Q.
+/// Whether no body of it has more than most_in_corner collisions in its corner: others are not tried.
+[[nodiscard]] bool is_within_reach(const Rectangle& bodies);
+/// Cuts it along rho where one number seems to be right everywhere. Preconditions: 0 < rho <= 1, 0 < Q; it is
+/// within reach.
 [[nodiscard]] Cells prove_cells(const Rectangle& bodies, const Interrupted& interrupted = never);
 
 }  // namespace dumbbell::collisions

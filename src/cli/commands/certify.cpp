@@ -12,6 +12,7 @@
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
+#include "cli/commands/rectangle.hpp"
 #include "cli/commands/start_in_the_air.hpp"
 #include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
@@ -66,7 +67,8 @@ bounds a coin. proofs/body.md says what bodies are.
 Examples:
   dumbbell certify --coin                          a thin coin: at most 4 collisions, and 4 occur
   dumbbell certify 10 --rod-mass 1/100             the rod has a hundredth of the mass of its ends
-  dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin)"},
+  dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin
+  dumbbell certify --rho 0.3:0.4 --inertia 10:18                a rectangle of bodies: all of them have 5)"},
     Topic{
         "lists", lists_text,
         R"(--out names a new folder, for the certificates. The same command goes on with the lines that have none yet; until all
@@ -243,6 +245,9 @@ int run_certify(const Given& given) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
     }
     require_certificate_name(given);
+    if (is_rectangle(given)) {
+        return certify_rectangle(given);
+    }
     const auto ratio = body ? std::nullopt : std::optional(parse_ratio_argument(given.text("RATIO")));
     CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
     const auto part = part_of(given, request.claim);

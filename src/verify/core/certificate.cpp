@@ -143,7 +143,7 @@ Header read_header(Text& text) {
 }
 
 Proof collisions(Text& text, const Settings& settings, const Section& section) {
-    return CollisionsReader(text, settings, section).proof();
+    return section.read ? section.read(text, settings) : CollisionsReader(text, settings, section).proof();
 }
 
 }  // namespace dumbbell_verify

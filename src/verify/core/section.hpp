@@ -7,6 +7,9 @@
 namespace dumbbell_verify {
 
 class Log;
+class Text;
+struct Proof;
+struct Settings;
 
 /// An exact box; the third axis is the mass ratio q = heavy / light >= 1, the last one rho of a body.
 struct Box {
@@ -51,6 +54,7 @@ struct Section {
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
     std::string_view other_witness{};  ///< of a second kind; it has the chart 1
     bool every_body = false;           ///< any rho <= 1 and Q > 0; else q >= 1, and Q rho >= 1 (L70)
+    Proof (*read)(Text& text, const Settings& settings) = nullptr;  ///< a file that has no pieces
 };
 
 /// The least 2^k >= x, k >= 0. Precondition: x > 0.

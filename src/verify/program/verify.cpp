@@ -3,7 +3,6 @@
 #include "verify/core/certificate.hpp"
 #include "verify/core/section.hpp"
 #include "verify/input/bytes.hpp"
-#include "verify/sections/cells.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -39,9 +38,7 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
                       "--shares is about a box of initial conditions (dumbbell trace --subdivide), and this "
                       "file is about something else"};
     if (header.section && claim == "collisions") {
-        Verified found{header.section == &cells() ? proof_by_cells(text, settings)
-                                                  : collisions(text, settings, *header.section),
-                       {}};
+        Verified found{collisions(text, settings, *header.section), {}};
         if (settings.heavy_once && !found.heavy_once)
             text.reject("claim-not-proved", "not proved: the heavy mass hits the floor at most once");
         return found;

@@ -1,7 +1,5 @@
 // The section cells of the scene body (format-sections.md, section 6; L87): rectangles of bodies, whose lower
 // and upper sides bound N.
-#include "verify/sections/cells.hpp"
-
 #include <cmath>
 
 #include "verify/core/big.hpp"
@@ -184,13 +182,16 @@ class CellReader : public Reader<Cell> {
     bool has_open_ = false;
 };
 
+Proof read_cells(Text& text, const Settings& settings) { return CellReader(text, settings).proof(); }
+
 }  // namespace
 
-Proof proof_by_cells(Text& text, const Settings& settings) { return CellReader(text, settings).proof(); }
-
 const Section& cells() {
-    static const Section section = {"body", "body",  "cells", {}, {{"cell", {"q", "rho"}}},
-                                    {},     nullptr, nullptr};
+    static const Section section = [] {
+        Section made{"body", "body", "cells", {}, {{"cell", {"q", "rho"}}}, {}, nullptr, nullptr};
+        made.read = read_cells;
+        return made;
+    }();
     return section;
 }
 

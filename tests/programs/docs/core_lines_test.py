@@ -45,6 +45,7 @@ OUTSIDE = {
     "hybrid": OTHER_SECTION,
     "body": OTHER_SECTION,
     "tangents": OTHER_SECTION,
+    "cells": OTHER_SECTION,
 }
 
 
