@@ -49,7 +49,7 @@ TEST_CASE("L86: an orbit from a right angle falls with rho and Q, and rises with
     int compared = 0, hits = 0;
     for (int i = 0; i < scaled(20'000); ++i) {
         const Numbers upper = plane_body(sampler), n{std::min(1.0, upper.rho * sampler.uniform(1, 1.5)),
-                                                   upper.q * sampler.uniform(1, 1.5)};
+                                                     upper.q * sampler.uniform(1, 1.5)};
         const auto j = static_cast<std::size_t>(sampler.uniform(1, 6));
         const double high = sampler.log_uniform(1e-4, 0.999) * upper.rho,
                      low = high * (sampler.coin() ? 1 : sampler.uniform(0.5, 1));
