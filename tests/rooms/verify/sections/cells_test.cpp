@@ -1,0 +1,139 @@
+// The section cells of the scene body: true cells are accepted, none that is false by the last bit of a
+// double, and of mutants those only that are true.
+#include <fstream>
+#include <map>
+
+#include "attacks/oracle/tangents.hpp"
+#include "catch.hpp"
+#include "rooms/verify/core/make_certificate.hpp"
+
+namespace {
+
+std::string said_of_cells(const std::string& q, const std::string& rho, const std::string& tree,
+                          const std::string& bits = "53",
+                          const dumbbell_verify::Request& asked = make::asking("body")) {
+    return make::outcome(
+        make::closed("dumbbell-certificate 1\ngenerator test 1.0\nlemmas body\nscene body\nsection "
+                     "cells\nclaim collisions\nratio " +
+                         q + "\nrho " + rho + "\nbits " + bits + "\n" + tree,
+                     {"split", "cell", "open"}),
+        asked);
+}
+
+struct Base {
+    double q_lo, q_hi, rho_lo, rho_hi;
+    std::string cell;
+};
+const Base true_cells[] = {
+    {8, 9, 0.5, 0.5625, "cell 5 5 1 21b-6 2"},
+    {100, 100.125, 0.296875, 0.3046875, "cell 9 9 0 0b0 4 1 1b-2 2 5b-5 3 7b-7"},
+    {10000, 10000.125, 0.28, 0.280001, "cell 73 73 0 0b0 35 1 71b-8 2 35b-7 9 471b-11 23 7b-6 31 1b-5"},
+    {4, 4, 1, 1, "cell 4 4 0 0b0 2"},
+    {5.44921875, 5.4493, 0.15625, 0.171875, "cell 4 4 0 0b0 1"},
+    {120.375, 125.125, 0.3955078125, 0.400390625, "cell 11 11 4 3b-5 6 2 1b-2 4 5b-6 5 0b0"}};
+
+std::string ratios(double lo, double hi) {
+    return make::fraction(mpq_class(lo)) + " " + make::fraction(mpq_class(hi));
+}
+std::string said_of(const Base& base) {
+    return said_of_cells(ratios(base.q_lo, base.q_hi), ratios(base.rho_lo, base.rho_hi), base.cell + "\n",
+                         "96");
+}
+
+// A number of the line one more or less, another place, or another end of a side.
+Base mutant_of(Base base, dumbbell_oracle::Sampler& sampler) {
+    const double grow = sampler.coin() ? 0 : sampler.log_uniform(1e-4, 1);
+    switch (static_cast<int>(sampler.uniform(0, 8))) {
+        case 0:
+            return base.q_lo /= 1 + grow, base;
+        case 1:
+            return base.q_hi *= 1 + grow, base;
+        case 2:
+            return base.rho_lo /= 1 + grow, base;
+        case 3:
+            return base.rho_hi = std::min(1.0, base.rho_hi * (1 + grow)), base;
+        default:
+            break;
+    }
+    std::vector<std::string> words;
+    std::istringstream line(base.cell);
+    for (std::string word; line >> word;) words.push_back(word);
+    std::string& word =
+        words[static_cast<std::size_t>(sampler.uniform(1, static_cast<double>(words.size())))];
+    if (const auto at = word.find('b'); at != std::string::npos)
+        word = sampler.coin() ? "0b0"
+                              : std::to_string(2 * std::stol(word) + (sampler.coin() ? 1 : -1)) + "b" +
+                                    std::to_string(std::stol(word.substr(at + 1)) - 1);
+    else
+        word = std::to_string(std::max(0L, std::stol(word) + (sampler.coin() ? 1 : -1)));
+    base.cell.clear();
+    for (const std::string& each : words) base.cell += (base.cell.empty() ? "" : " ") + each;
+    return base;
+}
+
+bool is_true(const Base& cell) {
+    long upper = 0, lower = 0;
+    std::istringstream(cell.cell.substr(5)) >> upper >> lower;
+    for (const double q : {cell.q_lo, cell.q_hi})
+        for (const double x : {0.0, 0.3, 0.7, 1.0}) {
+            const double rho = std::min(cell.rho_hi, cell.rho_lo + x * (cell.rho_hi - cell.rho_lo));
+            const auto n = dumbbell_oracle::TheoremB::of<long double>({rho, q}).maximum();
+            if (static_cast<long>(n) < lower || static_cast<long>(n) > upper) return false;
+        }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("section cells: true cells are accepted, in trees, and what is no cell is not") {
+    for (const Base& base : true_cells) CHECK(said_of(base) == "verified");
+    const std::string five = "cell 5 5 1 21b-6 2\n";
+    CHECK(said_of_cells("8/1 9/1", "1/2 9/16",
+                        "split rho\n" + five + "split q\n" + five + "cell 5 5 1 11b-5 2\n") == "verified");
+    auto at_most_five = make::asking("body");
+    at_most_five.demand.most = 5;
+    for (const std::string& tree : {"split rho\nopen\n" + five, "split rho\n" + five + "open\n"})
+        CHECK(said_of_cells("8/1 9/1", "1/2 9/16", tree, "53", at_most_five) == "claim-not-proved");
+    for (const char* line : {"cell 5 6 1 21b-6 2", "cell 0 0 0 0b0 1"})
+        CHECK(said_of_cells("8/1 9/1", "1/2 9/16", std::string(line) + "\n") == "number");
+    for (const char* line : {"cell 5 5 1 21b-6", "cell 5 5 1 21b-6 2 1", "cell"})
+        CHECK(said_of_cells("8/1 9/1", "1/2 9/16", std::string(line) + "\n") == "syntax");
+    CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "outside\n") == "opcode");
+    CHECK(said_of_cells("8/1 9/1", "1/2 17/16", five) == "number");
+    CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "cell 5 5 1 0b0 2\n") == "cell");
+}
+
+TEST_CASE("section cells: what is false by the last bit of a double is refused, in any precision") {
+    std::ifstream in(DUMBBELL_PROJECT "/tests/data/near_cells.tsv");
+    int rows = 0;
+    for (std::string q, rho, line, truth; std::getline(in, q, '\t') || rows == 0;) {
+        if (q.starts_with('#')) {
+            in.clear(), std::getline(in, q);
+            continue;
+        }
+        std::getline(in, rho, '\t'), std::getline(in, line, '\t'), std::getline(in, truth);
+        INFO(q << ' ' << rho << ' ' << line);
+        const auto said = [&](const char* bits) {
+            return said_of_cells(q + " " + q, rho + " " + rho, line + "\n", bits);
+        };
+        if (truth == "1") CHECK(said("200") == "verified");
+        if (truth == "0")
+            for (const char* bits : {"53", "60", "200"}) CHECK(said(bits) == "cell");
+        ++rows;
+    }
+    CHECK(rows > 40);
+}
+
+TEST_CASE("section cells: a mutant that is accepted is true") {
+    dumbbell_oracle::Sampler sampler(1, 8702);
+    int accepted = 0;
+    for (int i = 0; i < scaled(90); ++i) {
+        Base cell = true_cells[i % 6];
+        for (int times = 1 + i % 3; times > 0; --times) cell = mutant_of(std::move(cell), sampler);
+        if (said_of(cell) != "verified") continue;
+        ++accepted;
+        INFO(cell.q_lo << ' ' << cell.q_hi << ' ' << cell.rho_lo << ' ' << cell.rho_hi << ' ' << cell.cell);
+        CHECK(is_true(cell));
+    }
+    CHECK((accepted > 10 && accepted < scaled(80)));
+}
