@@ -6,8 +6,19 @@
 #include "attacks/oracle/tangents.hpp"
 #include "catch.hpp"
 #include "rooms/verify/core/make_certificate.hpp"
+#include "verify/core/big.hpp"
+#include "verify/sections/valley.hpp"
 
 namespace {
+
+using dumbbell_verify::Big;
+
+// The bounds of flights in the valley, at a few bits.
+struct CoarseValley : dumbbell_verify::Valley<Big> {
+    CoarseValley() : Valley(nullptr) {}
+    using Valley::hits_bridge, Valley::I, Valley::outward_from_above, Valley::outward_from_below,
+        Valley::over_bridge, Valley::passes_bridge, Valley::Ray;
+};
 
 std::string said_of_cells(const std::string& q, const std::string& rho, const std::string& tree,
                           const std::string& bits = "53",
@@ -136,4 +147,57 @@ TEST_CASE("section cells: a mutant that is accepted is true") {
         CHECK(is_true(cell));
     }
     CHECK((accepted > 10 && accepted < scaled(80)));
+}
+
+// So coarse that a wrong rounding of any number shows.
+TEST_CASE("section cells: the flight Y lies between its bounds, of six bits") {
+    using Exact = dumbbell_oracle::Ray<long double>;
+    dumbbell_oracle::Sampler sampler(1, 8703);
+    int below = 0, above = 0, hits = 0, passes = 0;
+    for (int i = 0; i < scaled(5'000); ++i) {
+        const double rho = sampler.uniform(0.1, 1), q = sampler.log_uniform(2, 60),
+                     p = sampler.uniform(0, rho);
+        const long j = i % 3 + 1;
+        const long double heights[] = {rho, 1}, r = 1 / static_cast<long double>(q), h = heights[j % 2],
+                          x = std::asin(p / h), slope = r / (h * std::cos(x));
+        std::optional<Exact> flight = Exact{p + slope * x, slope};
+        for (long wall = j + 1; wall < 2 * j && flight; ++wall) {
+            const auto step = dumbbell_oracle::valley_step(*flight, heights[wall % 2], r);
+            flight = step ? step->next : std::nullopt;
+        }
+        Big::precision = 6;
+        const auto number = [](dumbbell_verify::Round d, double value) {
+            return bound(d, mpq_class(value), Big(0));
+        };
+        const auto exact = [](const Big& value) { return mpfr_get_ld(value.get(), MPFR_RNDN); };
+        CoarseValley valley;
+        const CoarseValley::I height{number(dumbbell_verify::down, rho), number(dumbbell_verify::up, rho)};
+        CoarseValley::Ray low{0, 0, 0}, high = low;
+        const bool is_below =
+                       valley.outward_from_below(j, number(dumbbell_verify::down, p), height,
+                                                 bound(dumbbell_verify::down, 1 / mpq_class(q), Big(0)), low),
+                   is_above =
+                       valley.outward_from_above(j, number(dumbbell_verify::up, p), height,
+                                                 bound(dumbbell_verify::up, 1 / mpq_class(q), Big(0)), high);
+        INFO(rho << ' ' << q << ' ' << p << ' ' << j);
+        if (is_above) CHECK(flight);
+        if (!flight) continue;
+        const bool is_hit = valley_step(*flight, heights[0], r).has_value();
+        const long double far = flight->c + dumbbell_oracle::pi<long double>() * flight->kappa;
+        if (is_below) {
+            CHECK((exact(low.c) <= flight->c && exact(low.kappa) <= flight->kappa));
+            CHECK(exact(valley.over_bridge(dumbbell_verify::down, low).c) <= far);
+            const bool over = valley.passes_bridge(low, height);
+            CHECK_FALSE((over && is_hit));
+            ++below, passes += over;
+        }
+        if (is_above) {
+            CHECK((exact(high.c) >= flight->c && exact(high.kappa) >= flight->kappa));
+            CHECK(exact(valley.over_bridge(dumbbell_verify::up, high).c) >= far);
+            const bool under = valley.hits_bridge(high, height);
+            CHECK_FALSE((under && !is_hit));
+            ++above, hits += under;
+        }
+    }
+    CHECK((below > 2'000 && above > 2'000 && hits > 500 && passes > 500));
 }
