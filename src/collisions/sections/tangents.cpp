@@ -175,7 +175,8 @@ Rational last_place(const Tangents<I>& of, double from, long hits, int places) {
     Rational lo = exact(from), step = 1;
     for (int place = 0; place < places; ++place, step /= 2) {
         const Rational next = lo + step;
-        if (next < Rational(157, 100) && of.into_valley(enclose<I>(next), hits) >= hits) {
+        const I e = enclose<I>(next);
+        if (certainly_less(e, half_pi<I>()) && of.into_valley(e, hits) >= hits) {
             lo = next;
         }
     }
