@@ -102,7 +102,6 @@ TEST_CASE("Theorem B: plain covers prove the same of random bodies, as many as t
         }
     }
     CHECK(open <= 3 * scaled(2));
-    WARN(open << " open");
 }
 
 TEST_CASE(
