@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "collisions/certify.hpp"
+#include "collisions/witness.hpp"
 #include "collisions/writer.hpp"
 #include "reference.hpp"
 #include "scale.hpp"
@@ -133,6 +134,17 @@ TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
     for (const auto& p : pieces) {
         CHECK(p.piece.status() != Status::open);
     }
+}
+
+TEST_CASE("A range of Q is one piece of plain covers, with a contact that is good for all of it") {
+    auto request = of_body(Rational(1, 2), Rational(5, 2), Rational(13, 5));
+    request.claim = by_plain_covers(request.claim);
+    const auto pieces = certify(request);
+    REQUIRE(pieces.size() == 1);
+    CHECK(maximum(pieces.front().piece) == 3);
+    const auto contact = contact_of_body<Interval>(request.claim.range, 3, request.claim.system);
+    REQUIRE(contact);
+    CHECK((contact->place == Place::bridge && contact->total() >= 3));
 }
 
 TEST_CASE("A range of bodies goes on with what an earlier run has kept, on any number of threads") {
