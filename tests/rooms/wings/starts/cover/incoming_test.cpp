@@ -212,8 +212,14 @@ TEST_CASE(
     "L77: random incoming motions have each number of collisions as often as is proved, of bodies too") {
     std::mt19937_64 engine(7);
     const auto boxes = static_cast<std::size_t>(std::min(scaled(500), 3000L));
-    for (const auto& [q, rho] : std::vector<std::pair<const char*, double>>{
-             {"1", 0}, {"4.61", 0}, {"10", 0}, {"100", 0}, {"1000", 0}, {"4", 1}, {"3", 0.5}}) {
+    for (const auto& [q, rho] : std::vector<std::pair<const char*, double>>{{"1", 0},
+                                                                            {"4.61", 0},
+                                                                            {"10", 0},
+                                                                            {"100", 0},
+                                                                            {"1000", 0},
+                                                                            {"4", 1},
+                                                                            {"3", 0.5},
+                                                                            {"0.5", 0.75}}) {
         INFO("q " << q << " rho " << rho);
         const Rational ratio = parse_rational(q);
         const auto number = ratio.convert_to<Number>();
