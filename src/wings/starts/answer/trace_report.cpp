@@ -60,14 +60,17 @@ bool rests_on_theorem(const TraceReport& report) {
            (report.parts && is_general(report.parts->least, report.parts->most));
 }
 
+/// What bounds all motions of a body.
+const char* body_lemma(const Box& box) { return *box.rho == 1 ? "L72" : "L84"; }
+
 /// What a bound rests on that the enclosures do not give; else nothing.
 std::string theorem_sentence(const TraceReport& report) {
     if (!rests_on_theorem(report)) {
         return "";
     }
     return report.box.rho
-               ? fmt::format("No motion of the body in a plane has more than {} (L72 of proofs/body.md).",
-                             plural(*report.maximum, "collision"))
+               ? fmt::format("No motion of the body in a plane has more than {} ({} of proofs/body.md).",
+                             plural(*report.maximum, "collision"), body_lemma(report.box))
                : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
                              exact_text(report.box.hi[4]), plural(*report.maximum, "collision"));
@@ -301,7 +304,7 @@ Json to_json(const TraceReport& report) {
          {"most", trace.most},
          {"maximum", by_theorem ? report.maximum : std::nullopt},
          {"rests_on", !by_theorem      ? Json()
-                      : report.box.rho ? Json("proofs/body.md, L72")
+                      : report.box.rho ? Json(fmt::format("proofs/body.md, {}", body_lemma(report.box)))
                                        : Json("proofs/theorem.md, theorem 1")},
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},

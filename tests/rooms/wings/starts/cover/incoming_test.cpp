@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "attacks/oracle/simulate.hpp"
-#include "attacks/oracle/trial.hpp"
+#include "attacks/oracle/tangents.hpp"
 #include "catch.hpp"
 #include "rooms/verify/wings/starts/make_file.hpp"
 #include "rooms/wings/starts/box.hpp"
@@ -138,6 +138,27 @@ TEST_CASE("the maximum over all trajectories is known beyond the counts that a l
     }
     CHECK_FALSE(judge_falling(incoming_box(parse_rational("1e14"))).most);
     CHECK_FALSE(most_of_all(incoming_box(parse_rational("1e40"))));  // more than doubles count
+}
+
+TEST_CASE("L72, L84: no body has more collisions by Theorem B than is said of all its motions") {
+    using dumbbell_oracle::Numbers;
+    std::mt19937_64 engine(84);
+    int beyond = 0;
+    for (int i = 0; i < scaled(150); ++i) {
+        const Numbers n =
+            i % 3 == 0 ? dumbbell_oracle::rod(uniform(engine, 4.7, 6), std::exp(uniform(engine, -12, -4)))
+                       : Numbers{i % 3 == 1 ? 1 : uniform(engine, 0.05, 1), std::exp(uniform(engine, -2, 5))};
+        const auto turns =
+            static_cast<long>(dumbbell_oracle::whole_from(dumbbell_oracle::half_turn / n.wedge()));
+        INFO("rho " << n.rho << " Q " << n.q);
+        CHECK(most_of_all(incoming_box(exact(n.q), exact(n.rho))) == (n.rho == 1 ? turns : turns + 2));
+        if (n.rho < 1) {
+            const auto maximum = static_cast<long>(dumbbell_oracle::TheoremB::of<long double>(n).maximum());
+            CHECK(maximum <= turns + 2);
+            beyond += maximum > turns ? 1 : 0;
+        }
+    }
+    CHECK(beyond > 10);
 }
 
 TEST_CASE("no leaf says more than the maximum over all trajectories, and less than that is refused") {
