@@ -136,8 +136,8 @@ std::string decided_text(const Subdivision& parts) {
     return text + kinds_text(parts);
 }
 
-/// Whether theorem 6 is about what is asked.
-bool has_mean(const TraceReport& report) { return report.incoming && report.shares && !report.box.rho; }
+/// Whether theorem 6 or L85 is about what is asked.
+bool has_mean(const TraceReport& report) { return report.incoming && report.shares; }
 
 std::string subdivision_text(const TraceReport& report) {
     const Subdivision& parts = *report.parts;
@@ -147,7 +147,7 @@ std::string subdivision_text(const TraceReport& report) {
                                          "collisions", whole, share_lines(share_bounds(report.parts->tree)))
                            : decided_text(parts);
     if (has_mean(report)) {
-        text += mean_text(report.box.lo[4], parts.tree);
+        text += mean_text(report.box, parts.tree);
     }
     text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
                         share_at_least(Rational(1) - parts.undecided.share), whole,
@@ -188,7 +188,7 @@ Json subdivision_json(const TraceReport& report) {
         json.add("shares", share_json(share_bounds(report.parts->tree)));
     }
     if (has_mean(report)) {
-        json.add("mean", mean_json(report.box.lo[4], parts.tree));
+        json.add("mean", mean_json(report.box, parts.tree));
     }
     return json;
 }
