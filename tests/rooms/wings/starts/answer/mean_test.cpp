@@ -77,8 +77,7 @@ TEST_CASE("the mean of certified histograms contains the exact one, of bodies to
         CHECK_THAT(mean_text(all, parts.tree), Contains("By the boxes the mean is between "));
     }
     CHECK_THROWS_AS(mean_text(incoming_box(1'000'000), parts_of(incoming_box(10)).tree), BrokenInvariant);
-    const Box beyond =
-        incoming_box(parse_rational("1e40"));  // all leaves are open, and E(-1/q)/pi is nearly 1/2
+    const Box beyond = incoming_box(parse_rational("1e40"));  // open leaves only, and E(-1/q)/pi nearly 1/2
     CHECK_THAT(mean_text(beyond, parts_of(beyond, 2).tree),
                Contains("probability 0.500000000000... = ") && Contains("the mean is at least 0."));
 }
