@@ -65,8 +65,9 @@ Bounds of_angle(long double angle) {
 Bounds of_wedge(const mpq_class& q) {
     return of_angle(2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
 }
-/// Theorem B of body.md, 1e-9 around a step; of ranges of rho and of long orbits L73 and L84 (a).
+/// L72 or Theorem B of body.md, 1e-9 around a step; of ranges of rho and of long orbits L73 and L84 (a).
 Bounds of_body(const dumbbell::collisions::Range& rho, const mpq_class& q) {
+    if (rho.lo == 1) return of_wedge(q);
     const double highest = rho.hi.convert_to<double>(), inertia = q.get_d();
     if (rho.is_single() && inertia <= 1000) {
         const auto most = [&](double share) {
