@@ -156,14 +156,13 @@ System system_of(const Given& given) {
         return {given_ratio(given), {}};
     }
     const collisions::Claim body = body_claim(given);
-    const collisions::Range& rho = *body.system.rho;
     if (given.has("--out")) {
         throw InputError("there are no certificates about starts of bodies: leave out --out");
     }
-    if (!body.range.is_single() || !rho.is_single()) {
-        throw InputError("trace follows a single body: --rho and --inertia are numbers here, not ranges");
+    if (!body.range.is_single()) {
+        throw InputError("trace follows a single body: --inertia is a number here, not a range");
     }
-    return {{body.range.lo, body.range.lo, false}, rho.lo};
+    return {{body.range.lo, body.range.lo, false}, body.system.rho};
 }
 
 starts::GivenStart start_of(const Given& given, const System& system, int digits) {
