@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "collisions/names.hpp"
 #include "collisions/section.hpp"
 #include "collisions/sections/body_witness.hpp"
 #include "flight/corner.hpp"
