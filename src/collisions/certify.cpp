@@ -122,7 +122,7 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, PieceOptions
         const Rational from = recalled.empty() ? request.claim.range.lo : recalled.back().piece.q_hi;
         return prove_range(std::move(recalled), plan_steps(request, options, from), request, options);
     }
-    options.max_nodes = 1'000'000;  // before it is halved
+    options.max_nodes = std::min<std::size_t>(options.max_nodes, 1'000'000);  // before it is halved
     Halving halving(request.claim, request.store, options.interrupted);
     const auto next = [&](std::vector<ProvedPiece>& proved) { return Batch{halving.next(proved)}; };
     return prove_range({}, next, request, options);

@@ -152,9 +152,11 @@ std::string whole_demand(const Claim& claim, const std::vector<const Piece*>& pi
     if (most != least && least > 0) {
         text += fmt::format(" --min {}", least);
     }
+    // What --gap demands: one of two neighbouring numbers, of bodies of two or three.
+    const int leap = claim.system.rho ? 2 : 1;
     const bool is_staircase =
         !claim.range.is_single() && most != least &&
-        std::ranges::none_of(pieces, [](const Piece* piece) { return piece->status() == Status::open; });
+        std::ranges::none_of(pieces, [&](const Piece* piece) { return *piece->upper > piece->lower + leap; });
     const Gaps gaps = gaps_of(pieces);
     if (const std::string widest = is_staircase ? gap_text(gaps.widest) : ""; !widest.empty()) {
         text += fmt::format(" --gap {} --gaps {}", widest, gaps.number);

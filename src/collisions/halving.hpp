@@ -10,7 +10,8 @@
 namespace dumbbell::collisions {
 
 /// Plans pieces of one value where both ends of a part seem to have it; parts with different ends, and those
-/// whose proof fails, are halved, and the narrowest are gaps or open.
+/// whose proof fails, are halved, and the narrowest are gaps or open. Where the maximum grows with the ratio
+/// there is one piece from gap to gap.
 class Halving {
   public:
     /// Both outlive this; `store` may be nullptr.
@@ -27,10 +28,11 @@ class Halving {
         Maximum at_lo, at_hi;  ///< what seems to be the maximum there
     };
 
-    [[nodiscard]] std::vector<Maximum> maxima_at(const std::vector<Rational>& ratios) const;
+    [[nodiscard]] std::vector<Maximum> maxima_at(const std::vector<Rational>& ratios, int bits) const;
     [[nodiscard]] bool is_narrow(const Part& part) const;
     [[nodiscard]] bool is_to_be_proved(const Part& part) const;
     [[nodiscard]] std::vector<Part> halves_of(const std::vector<Part>& parts) const;
+    void merge_equal();
 
     const Claim& claim_;
     Interrupted interrupted_;

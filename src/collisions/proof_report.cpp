@@ -47,7 +47,8 @@ std::string value_text(const Piece& piece) {
         case Status::exact:
             return fmt::format("{}", *piece.upper);
         case Status::gap:
-            return fmt::format("{} or {}", piece.lower, *piece.upper);
+            return fmt::format("{} {} {}", piece.lower, *piece.upper == piece.lower + 1 ? "or" : "to",
+                               *piece.upper);
         default:
             return piece.lower > 0 ? fmt::format(">= {}", piece.lower) : "open";
     }
@@ -155,9 +156,11 @@ std::string range_sentence(const ProofReport& report) {
         text = "Not decided. ";
     }
     if (counts.gaps > 0) {
-        text += fmt::format("In the {} around the critical {} the maximum is one of the two values. ",
-                            counts.gaps == 1 ? "gap" : fmt::format("{} gaps", counts.gaps),
-                            counts.gaps == 1 ? "ratio" : "ratios");
+        text += fmt::format(
+            "In the {} around the critical {} the maximum is {}. ",
+            counts.gaps == 1 ? "gap" : fmt::format("{} gaps", counts.gaps),
+            counts.gaps == 1 ? "ratio" : "ratios",
+            row_of(report).is_monotone ? "from the one value to the other" : "one of the two values");
     }
     if (counts.open > 0) {
         text += fmt::format("{} {} open. ", plural(counts.open, "piece"), counts.open == 1 ? "is" : "are");

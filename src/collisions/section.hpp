@@ -62,6 +62,7 @@ struct SectionRow {
     /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted. nullptr: nothing is
     /// known of the steps, and ranges are halved.
     Step (*step)(long n, double gap, const Interrupted& interrupted) = nullptr;
+    bool is_monotone = false;  ///< where ranges are halved: the maximum does not decrease
     /// What proves the upper bound without trees, if anything does; nullptr: nothing.
     std::optional<Cover> (*by_lemma)(const Range& range, const Count& upper, const System& system) = nullptr;
     std::tuple<BoundSearch<Interval>, BoundSearch<BigInterval>> bounds;

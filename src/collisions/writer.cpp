@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "collisions/claim.hpp"
+#include "collisions/names.hpp"
 #include "collisions/piece_lines.hpp"
 #include "collisions/section.hpp"
 

@@ -97,39 +97,52 @@ std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Inter
     return may_be_even ? std::nullopt : std::optional(Leaf{Reason::count, up, down});
 }
 
-constexpr double quarter = 0x1.921fb54442d18p+0;  // just below pi/2
+/// Just below pi/2.
+Rational quarter() { return exact_lo(half_pi<BigInterval>()); }
 
 /// Where f + b seems to be as great as anywhere, or at least `enough`.
 struct Best {
     long total = 0, hits = 0;
-    double e = 0;
+    Rational e = 0;
 };
+
+/// As many as this arithmetic tells places apart with.
+template <class I>
+int bits_of() {
+    return std::is_same_v<I, Interval> ? double_bits : PrecisionScope::current();
+}
+
+/// In between, by magnitude where that differs.
+Rational middle_place(const Rational& lo, const Rational& hi) {
+    return lo == 0       ? hi / 1024
+           : hi > 4 * lo ? exact(std::sqrt(Rational(lo * hi).convert_to<double>()))
+                         : (lo + hi) / 2;
+}
 
 /// f does not decrease and b does not increase, so f at the end and b at the beginning bound the sum.
 template <class I>
 Best best_tangent(const Tangents<I>& of, long corner, long cap, long enough, const Interrupted& interrupted) {
-    constexpr double least = 1e-13;
+    const Rational least = power_of_half(bits_of<I>() - 10), narrow = power_of_half(bits_of<I>() - 4);
     struct Part {
-        double lo, hi;
+        Rational lo, hi;
         long up_lo, down_lo, up_hi, down_hi;
     };
     const long top_up = of.upward(I(2), cap), corner_up = of.from_corner(cap);
-    Best best{top_up, 0, quarter};
+    Best best{top_up, 0, quarter()};
     if (corner + corner_up > best.total) {
         best = {corner + corner_up, corner, least};
     }
-    std::vector<Part> todo{{0, quarter, corner_up, corner, top_up, 0}};
+    std::vector<Part> todo{{0, quarter(), corner_up, corner, top_up, 0}};
     while (!todo.empty() && best.total < enough && !interrupted()) {
-        const Part part = todo.back();
+        const Part part = std::move(todo.back());
         todo.pop_back();
-        const double middle = part.lo == 0            ? part.hi * 0x1p-10
-                              : part.hi > 4 * part.lo ? std::sqrt(part.lo * part.hi)
-                                                      : (part.lo + part.hi) / 2;
+        const Rational middle = middle_place(part.lo, part.hi);
         if (part.up_hi + part.down_lo <= best.total || middle < least ||
-            part.hi - part.lo < 1e-15 * part.hi) {
+            part.hi - part.lo < narrow * part.hi) {
             continue;
         }
-        const long up = of.upward(I(middle), cap), down = of.into_valley(I(middle), cap);
+        const I e = enclose<I>(middle);
+        const long up = of.upward(e, cap), down = of.into_valley(e, cap);
         if (up + down > best.total) {
             best = {up + down, down, middle};
         }
@@ -160,11 +173,12 @@ std::optional<Count> body_maximum(const Rational& q, const System& system, const
 
 /// The greatest dyadic of so many places at which the tangent seems to have `hits` in the valley.
 template <class I>
-Rational last_place(const Tangents<I>& of, double from, long hits, int places) {
-    Rational lo = exact(from), step = 1;
-    for (int place = 0; place < places; ++place, step /= 2) {
+Rational last_place(const Tangents<I>& of, Rational lo, long hits) {
+    Rational step = 1;
+    for (int place = 0; place < bits_of<I>(); ++place, step /= 2) {
         const Rational next = lo + step;
-        if (next < Rational(157, 100) && of.into_valley(enclose<I>(next), hits) >= hits) {
+        const I e = enclose<I>(next);
+        if (certainly_less(e, half_pi<I>()) && of.into_valley(e, hits) >= hits) {
             lo = next;
         }
     }
@@ -218,12 +232,11 @@ std::optional<Witness> contact_of_body(const Range& range, long target, const Sy
     const Tangents<I> of(rho, q, interrupted);
     const auto body =
         flight::Body<I>::with_mass(enclose<I>(rho), hull(enclose<I>(1 / greatest), enclose<I>(1 / q)));
-    const int bits = std::is_same_v<I, Interval> ? double_bits : PrecisionScope::current();
     const long cap = more_than_all(q);
     const Best best = best_tangent(of, corner_hits(of, rho, q, cap), cap, target / 2, interrupted);
-    const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits, bits) : exact(quarter);
+    const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits) : quarter();
     const int depth = -std::ilogb(last.convert_to<double>());
-    for (int places = 8; places < bits && !interrupted(); places += 4) {
+    for (int places = 8; places < bits_of<I>() && !interrupted(); places += 4) {
         const Rational step = power_of_half(places + depth), e = step * (whole(last / step) - 1);
         if (auto found = contact(e, step * power_of_half(depth + 6), body, target)) {
             return found;
@@ -256,8 +269,10 @@ constexpr SectionRow body_row{.scene = "body",
                               .where = " of a body",
                               .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
                               .growth = "1.570796326794896619231321691640",
+                              .max_nodes = 2'000,
                               .charts = tangent_charts,
                               .step = nullptr,
+                              .is_monotone = true,  // L83
                               .bounds = {body_bounds<Interval>, body_bounds<BigInterval>}};
 
 /// The same of bodies with mass between their contacts, for who doubts the theorem.
@@ -270,6 +285,7 @@ const SectionRow plain_body_row = [] {
     row.max_bits = double_bits;  // what it leaves open is next to a tie
     row.max_nodes = 20'000'000;
     row.charts = plain_body_charts;
+    row.is_monotone = false;
     row.by_lemma = symmetric_cover;
     return row;
 }();

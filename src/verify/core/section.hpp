@@ -2,14 +2,10 @@
 #pragma once
 #include <string_view>
 
-#include "verify/core/claim.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 
 namespace dumbbell_verify {
-
-class Log;
-class Text;
-struct Proof;
-struct Settings;
 
 /// An exact box; the third axis is the mass ratio q = heavy / light >= 1, the last one rho of a body.
 struct Box {

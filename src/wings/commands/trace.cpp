@@ -58,7 +58,7 @@ stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array trace_topics{
     Topic{
-        "bodies", "Follow a rigid body with mass between its two contacts.",
+        "bodies", "Follow a rigid body.",
         R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia, which are numbers here. The light end is the one
 at the distance d1 from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds in a
 plane, and until a corner is met. There is no certificate of it.
@@ -79,8 +79,7 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 
 constexpr std::array start_options{
     ratio_option,
-    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body with mass between its contacts",
-           "dumbbell"},
+    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body", "dumbbell"},
     list_option.excludes("RATIO,--quiet"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "collisions/claim.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/palette.hpp"
@@ -24,11 +25,10 @@ constexpr double map_left = 64;
 constexpr double map_height = 460;
 constexpr double least_greatest_inertia = 12;  // room for the coin and what lies above it
 
-/// rho and the inertia of two ends of the mass ratio q and a uniform rod of mu times their mass (L70 (d)).
+/// rho and the inertia of two ends of the mass ratio q and a uniform rod of mu times their mass.
 std::pair<double, double> rod_body(double q, double mu) {
-    const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
-    const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
-    return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
+    const auto claim = claim_of(collisions::Rod{exact(q), exact(mu)});
+    return {value(*claim.system.rho), value(claim.range.lo)};
 }
 
 /// From no mass of the rod to ten thousand times the mass of its ends.

@@ -5,7 +5,7 @@ from collections import namedtuple
 from failure import Limit
 import full
 from fixed import Undecided, greatest, half_pi, hull, interval, least, meet, pi, sin_cos, span, square
-from full import below_time, steep_time
+from full import steep_time
 from rays import earliest, latest, off_bridge, reflected
 from work import spend
 
@@ -81,7 +81,8 @@ class Body:
         first = None if kappa >= rho_hi else earliest((h / rho_hi).lower(), (kappa / rho_hi).lower(), pi())
         if first is None:
             return None
-        last, below = steep_time(kappa.lower(), rho_lo, rho_hi), below_time(h.upper(), kappa.upper(), rho_lo)
+        last = steep_time(kappa.lower(), rho_lo, rho_hi)
+        below = latest((h / rho_lo).upper(), (kappa / rho_lo).upper(), pi())
         last = last if below is None else least(last, below)
         return span(first, greatest(last, first)), below is not None
 

@@ -97,8 +97,8 @@ TEST_CASE("L74: the two rays of a contact with the bridge") {
 }
 
 TEST_CASE(
-    "L72: a symmetric body never has more collisions than its corner, ties too, and others at most two more "
-    "than that of their higher humps (L84)") {
+    "L72, L84: a symmetric body never has more collisions than its corner, ties too, and others at most two "
+    "more than the wedge of the higher humps") {
     Sampler sampler(1, 7004);
     int tight = 0, beyond = 0;
     for (int i = 0; i < scaled(20'000); ++i) {
@@ -118,7 +118,7 @@ TEST_CASE(
         beyond += found > wedge ? 1 : 0;
     }
     CHECK(tight > 50);
-    CHECK(beyond > 500);  // more than the wedge of the higher humps: random starts of random bodies show none
+    CHECK(beyond > 500);  // more than that wedge: random starts of random bodies show none
 }
 
 TEST_CASE(

@@ -21,7 +21,7 @@ Piece piece_of(const Rational& lo, const Rational& hi, std::vector<ChartTree> ch
 
 Certificate example() {
     return certificate_of(
-        {piece_of(2, 3, {{Chart::bridge, random_tree(20, axes_but_rho, 1)}, {Chart::light, {leaf()}}}),
+        {piece_of(2, 3, {{Chart::bridge, random_tree(20, three_axes, 1)}, {Chart::light, {leaf()}}}),
          piece_of(3, 3, {{Chart::bridge, {leaf()}}, {Chart::light, random_tree(9, plane_axes, 2)}})});
 }
 
