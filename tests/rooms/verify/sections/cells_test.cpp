@@ -1,8 +1,4 @@
-// The section cells of the scene body: true cells are accepted, none that is false by the last bit of a
-// double, and of mutants those only that are true.
-#include <fstream>
-#include <map>
-
+// The section cells of the scene body: true cells are accepted, and of mutants those only that are true.
 #include "attacks/oracle/tangents.hpp"
 #include "catch.hpp"
 #include "rooms/verify/core/make_certificate.hpp"
@@ -112,27 +108,6 @@ TEST_CASE("section cells: true cells are accepted, in trees, and what is no cell
     CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "outside\n") == "opcode");
     CHECK(said_of_cells("8/1 9/1", "1/2 17/16", five) == "number");
     CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "cell 5 5 1 0b0 2\n") == "cell");
-}
-
-TEST_CASE("section cells: what is false by the last bit of a double is refused, in any precision") {
-    std::ifstream in(DUMBBELL_PROJECT "/tests/data/near_cells.tsv");
-    int rows = 0;
-    for (std::string q, rho, line, truth; std::getline(in, q, '\t') || rows == 0;) {
-        if (q.starts_with('#')) {
-            in.clear(), std::getline(in, q);
-            continue;
-        }
-        std::getline(in, rho, '\t'), std::getline(in, line, '\t'), std::getline(in, truth);
-        INFO(q << ' ' << rho << ' ' << line);
-        const auto said = [&](const char* bits) {
-            return said_of_cells(q + " " + q, rho + " " + rho, line + "\n", bits);
-        };
-        if (truth == "1") CHECK(said("200") == "verified");
-        if (truth == "0")
-            for (const char* bits : {"53", "60", "200"}) CHECK(said(bits) == "cell");
-        ++rows;
-    }
-    CHECK(rows > 40);
 }
 
 TEST_CASE("section cells: a mutant that is accepted is true") {
