@@ -15,6 +15,7 @@
 #include "critical/range.hpp"
 #include "critical/report.hpp"
 #include "number/count_argument.hpp"
+#include "number/ratio_argument.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::cli {
@@ -23,8 +24,8 @@ namespace {
 constexpr const char* critical_description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
-Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md. dumbbell certify does not use it:
-run it at a ratio on either side to compare.
+Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md, those of bodies on Theorem B of
+proofs/body.md. dumbbell certify does not use theorem 2: run it at a ratio on either side to compare.
 
 Examples:
   dumbbell critical 4                                    q_c(4) = 4.60333884875170...
@@ -33,6 +34,8 @@ Examples:
   dumbbell critical 10^12 --digits 50                    a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
+  dumbbell critical 4:9 --rho 1/2                        of bodies with this rho: N or more collisions iff Q > Q_c(N)
+  dumbbell critical --ratio 10 --rod-mass                masses of the dumbbell's rod at which N falls
 
 Beyond N = 10^17: dumbbell law --count 1e50 encloses one critical ratio by the law for every mass ratio.)";
 
@@ -41,7 +44,12 @@ constexpr const char* critical_footer =
 SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
-    argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2").required(),
+    argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2"),
+    Option{"--rho", "RHO", "of rigid bodies with this d2/d1: the Q = (d1/k)^2 at which N steps"}.excludes(
+        "--part,--ratio"),
+    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N,--part"),
+    flag("--rod-mass", "the masses of its uniform rod, in units of that of both ends, at which N falls")
+        .needs("--ratio"),
     Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, critical::most_digits),
     part_option,
     Option{"--out", "FILE",
@@ -83,17 +91,59 @@ std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosit
     return enclose_ratios(request);
 }
 
+std::optional<critical::Bodies> bodies_of(const Given& given) {
+    if (given.has("--ratio")) {
+        const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
+        if (ratio.lo != ratio.hi) {
+            throw InputError("--ratio is a single mass ratio, not a range");
+        }
+        return critical::Bodies{ratio.lo, true};
+    }
+    if (!given.has("--rho")) {
+        return std::nullopt;
+    }
+    const Rational rho = parse_number("--rho", given.text("--rho"));
+    if (rho == 0 || rho > 1) {
+        throw InputError("--rho is d2/d1 with d1 >= d2: a number above 0, and at most 1");
+    }
+    return critical::Bodies{rho};
+}
+
+/// Of bodies.
+void check_counts(const critical::Request& request) {
+    constexpr long most = 1'000'000;
+    const long least = request.bodies->least();
+    if (request.first <= least) {
+        throw InputError(fmt::format("at this rho every Q > 0 has {} collisions: the steps begin with N = {}",
+                                     least, least + 1));
+    }
+    if (request.last > most) {
+        throw InputError("of bodies N is at most 10^6: their orbits are followed collision by collision");
+    }
+}
+
 critical::Request critical_request(const Given& given) {
     critical::Request request;
+    const auto bodies = bodies_of(given);
+    if (given.has("N") == (bodies && bodies->have_rods)) {
+        throw InputError("critical needs N or N1:N2, or --ratio RATIO --rod-mass");
+    }
     const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
-    std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
+    if (given.has("N")) {
+        std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
+    }
     if (given.has("--part")) {
         request = critical::part_of(part, request.first, request.last);
     }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
-    check_time(request, given.has("--quiet"));
+    request.bodies = bodies;
+    if (!bodies) {
+        check_time(request, given.has("--quiet"));
+    } else if (!bodies->have_rods) {
+        check_counts(request);
+    }
     return request;
 }
 
@@ -105,7 +155,8 @@ int run_critical(const Given& given) {
     report.seconds = watch.seconds();
     const auto finished =
         std::ranges::count_if(report.rows, [](const critical::Row& row) { return row.ratio.has_value(); });
-    const long wanted = report.request.size();
+    const bool have_rods = report.request.bodies && report.request.bodies->have_rods;
+    const long wanted = have_rods ? static_cast<long>(report.rows.size()) : report.request.size();
     const bool all = finished == wanted;
     if (!all && stop_signal != 0) {
         return stopped(
