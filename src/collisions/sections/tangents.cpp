@@ -42,6 +42,9 @@ class Tangents {
     [[nodiscard]] long even(long hits, long cap) const {
         Ray<I> ray = along_bridge();
         for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
+            if (flight::ends_early(bounces, interrupted_)) {
+                return cap + 1;
+            }
             switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
                 case Bounce::returns:
                     break;
@@ -280,6 +283,7 @@ constexpr SectionRow body_row{.scene = "body",
                               .where = " of a body",
                               .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
                               .growth = "1.570796326794896619231321691640",
+                              .most_digits = 12,  // there are no macro steps in the valley
                               .max_nodes = 2'000,
                               .charts = tangent_charts,
                               .step = nullptr,
