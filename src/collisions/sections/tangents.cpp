@@ -42,7 +42,7 @@ class Tangents {
     [[nodiscard]] long even(long hits, long cap) const {
         Ray<I> ray = along_bridge();
         for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
-            if (flight::ends_early(bounces, interrupted_)) {
+            if (ends_early(bounces, interrupted_)) {
                 return cap + 1;
             }
             switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
