@@ -6,7 +6,9 @@
 
 #include "collisions/leaf.hpp"
 #include "collisions/section.hpp"
+#include "file/limits.hpp"
 #include "flight/certain_count.hpp"
+#include "flight/corner.hpp"
 #include "flight/count.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "flight/valley.hpp"
@@ -189,19 +191,21 @@ Witness contact_near(const Claim& body, const Tie& tie, const Options& options) 
         const Rational before = *last * power_of_half(bits - 64);
         return {*last - before, before / 1024};
     }
-    return tie.kind == Tie::Kind::top ? Witness{exact_lo(half_pi<Big>()) - power_of_half(bits / 4), eta}
-                                      : Witness{eta * eta, eta};
+    const Rational away = power_of_half(bits / 4);
+    return {tie.kind == Tie::Kind::top ? exact_lo(half_pi<Big>()) - away : away, eta};
 }
 
-/// L74, of that contact, or of one that is looked for.
+/// L74, of that contact; or L73, exactly, for it may be in a tie.
 bool has_at_least(const Claim& body, long n, const Tie& tie, const Options& options) {
+    if (n <= most_in_corner && flight::corner_count(rho_of(body), inertia_of(body), n) >= n) {
+        return true;
+    }
     const auto counted =
         flight::Body<Big>::with_mass(enclose<Big>(rho_of(body)), Big(1) / enclose<Big>(inertia_of(body)));
     const Witness near = contact_near(body, tie, options);
     const auto rays = contact_rays(enclose<Big>(near.e), enclose<Big>(near.eta), counted);
     const long forward = certain_count(rays.outgoing, counted, n - 1);
-    return forward + certain_count(rays.reversed, counted, n - 1 - forward) >= n - 1 ||
-           body_bounds<Big>().witness(body.range, n, body.system, options.interrupted);
+    return forward + certain_count(rays.reversed, counted, n - 1 - forward) >= n - 1;
 }
 
 /// Of a step between `below` and n, whose ends seem to be these.

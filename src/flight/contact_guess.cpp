@@ -166,7 +166,10 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
     }
     // Near a tangency double precision may err about whether there is a root: look at the top of g, where it
     // is well conditioned.
-    const BigInterval top = refined_top(BigInterval(miss(slope).z), kappa);
+    const BigInterval flat = BigInterval(1) - kappa;  // where doubles no longer tell kappa from 1
+    const BigInterval top = refined_top(
+        certainly_positive(flat) && flat.hi() < 0x1p-20 ? sqrt(flat + flat) : BigInterval(miss(slope).z),
+        kappa);
     const auto at = sin_cos(top);
     const BigInterval height = midpoint(at.sin - kappa * top - c);
     if (!certainly_positive(height)) {

@@ -191,8 +191,7 @@ Rational last_place(const Tangents<I>& of, Rational lo, long hits) {
     Rational step = 1;
     for (int place = 0; place < bits_of<I>(); ++place, step /= 2) {
         const Rational next = lo + step;
-        const I e = enclose<I>(next);
-        if (certainly_less(e, half_pi<I>()) && of.into_valley(e, hits) >= hits) {
+        if (next < quarter() && of.into_valley(enclose<I>(next), hits) >= hits) {
             lo = next;
         }
     }
