@@ -17,7 +17,7 @@
 /// verifier does.
 namespace dumbbell::collisions {
 
-/// A closed range of exact numbers: mass ratios, or of bodies Q = (d1/k)^2 or rho = d2/d1.
+/// A closed range of exact numbers: mass ratios, or of bodies Q = (d1/k)^2.
 struct Range {
     Rational lo, hi;
 
@@ -34,11 +34,11 @@ enum class Section { turning, full, plain, body, plain_body, hybrid, wedge };
 /// What moves, and what of its states is covered.
 struct System {
     Section section;
-    std::optional<Range> rho;  ///< of bodies, and of nothing else
+    std::optional<Rational> rho;  ///< d2/d1 of a body, and of nothing else
 
     // NOLINTNEXTLINE(google-explicit-constructor): a section is all that most need
-    System(Section covered = Section::turning, std::optional<Range> rhos = std::nullopt)
-        : section(covered), rho(std::move(rhos)) {}
+    System(Section covered = Section::turning, std::optional<Rational> height = std::nullopt)
+        : section(covered), rho(std::move(height)) {}
     friend bool operator==(const System&, const System&) = default;
 };
 
@@ -46,9 +46,9 @@ struct System {
 enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, tangent };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
-/// light), the mass ratio q, and rho of bodies.
-enum class Axis : std::uint8_t { position, slope, ratio, rho };
-inline constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio, Axis::rho};
+/// light), and the mass ratio q, or Q of bodies.
+enum class Axis : std::uint8_t { position, slope, ratio };
+inline constexpr std::array all_axes{Axis::position, Axis::slope, Axis::ratio};
 inline constexpr std::size_t axis_count = all_axes.size();
 
 /// The one reason for which a leaf's states need no further look (format.md, sections 3.3 and 3.4).

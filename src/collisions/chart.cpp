@@ -23,8 +23,7 @@ const ChartRow& row_of(Chart chart) { return *chart_rows.at(static_cast<std::siz
 
 std::string_view axis_name(Chart chart, Axis axis) {
     const ChartRow& row = row_of(chart);
-    return std::array{row.position, row.slope, std::string_view("q"), std::string_view("rho")}.at(
-        static_cast<std::size_t>(axis));
+    return std::array{row.position, row.slope, std::string_view("q")}.at(static_cast<std::size_t>(axis));
 }
 
 std::optional<Axis> axis_named(Chart chart, std::string_view word) {
@@ -40,7 +39,7 @@ Box root_box(Chart chart, const Rational& q_lo, const Rational& q_hi) {
     const ChartRow& row = row_of(chart);
     const double steepest =
         row.greatest_slope > 0 ? row.greatest_slope : power_of_two_from(q_hi + row.slope_beyond);
-    return {{{{0, row.greatest_position}, {0, steepest}, {q_lo, q_hi}, {}}}};
+    return {.sides = {{{0, row.greatest_position}, {0, steepest}, {q_lo, q_hi}}}};
 }
 
 std::pair<Box, Box> halves(const Box& box, Axis axis) {

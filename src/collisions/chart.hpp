@@ -17,9 +17,10 @@ struct Side {
     Coordinate lo = 0, hi = 0;
 };
 
-/// A box of states, exact: a side for each axis; what is no body has no rho, [0, 0].
+/// A box of states, exact: a side for each axis. What is no body has no rho, 0.
 struct Box {
     std::array<Side, axis_count> sides;
+    Coordinate rho = 0;
 
     [[nodiscard]] Side& operator[](Axis axis) { return sides[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] const Side& operator[](Axis axis) const { return sides[static_cast<std::size_t>(axis)]; }

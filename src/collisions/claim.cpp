@@ -21,10 +21,9 @@ std::string body_text(const Claim& claim) {
     }
     const auto& rho = claim.system.rho;
     return !rho ? ""
-           : *rho == Range{1, 1} && claim.range == Range{4, 4}
+           : *rho == 1 && claim.range == Range{4, 4}
                ? "--coin"
-               : fmt::format("--rho {} --inertia {}", spelled(rho->lo, rho->hi),
-                             spelled(claim.range.lo, claim.range.hi));
+               : fmt::format("--rho {} --inertia {}", spelled(*rho), spelled(claim.range.lo, claim.range.hi));
 }
 
 std::string system_text(const Claim& claim) {
@@ -68,13 +67,12 @@ std::string gap_text(const Rational& width) {
 }
 
 /// As it is written: no number of a body changes into its inverse.
-Range parse_ends(const char* option, const std::string& text) {
+Range parse_inertia(const std::string& text) {
     const std::size_t colon = text.find(':');
-    const Rational lo = parse_number(option, text.substr(0, colon));
-    const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
+    const Rational lo = parse_number("--inertia", text.substr(0, colon));
+    const Rational hi = colon == std::string::npos ? lo : parse_number("--inertia", text.substr(colon + 1));
     if (lo == 0 || lo > hi) {
-        throw InputError(
-            fmt::format("{} is a number greater than 0, or a range LO:HI, the smaller one first", option));
+        throw InputError("--inertia is a number greater than 0, or a range LO:HI, the smaller one first");
     }
     return {lo, hi};
 }
@@ -82,16 +80,18 @@ Range parse_ends(const char* option, const std::string& text) {
 }  // namespace
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
-    Claim claim{.range = parse_ends("--inertia", inertia),
-                .system = {Section::body, parse_ends("--rho", rho)}};
-    if (claim.system.rho->hi > 1) {
-        throw InputError("--rho is d2/d1 with d1 >= d2, so at most 1: swap the ends");
+    if (rho.find(':') != std::string::npos) {
+        throw InputError("--rho is one number: only --inertia takes a range LO:HI");
     }
-    return claim.system.rho->is_single() ? claim : by_plain_covers(std::move(claim));
+    const Rational height = parse_number("--rho", rho);
+    if (height == 0 || height > 1) {
+        throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
+    }
+    return {.range = parse_inertia(inertia), .system = {Section::body, height}};
 }
 
 Claim by_plain_covers(Claim claim) {
-    if (claim.range.lo * claim.system.rho->lo < 1) {
+    if (claim.range.lo * *claim.system.rho < 1) {
         throw InputError(
             "plain covers are of bodies with their mass between the contacts: inertia times rho is at least "
             "1 (proofs/body.md, L70)");
@@ -105,7 +105,7 @@ Claim claim_of(const Rod& rod) {
     const Rational d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
     const Rational rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
     const Rational inertia = d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)));
-    return {.range = {inertia, inertia}, .system = {Section::body, Range{rho, rho}}, .rod = rod};
+    return {.range = {inertia, inertia}, .system = {Section::body, rho}, .rod = rod};
 }
 
 Claim claim_of(const Certificate& certificate) {
@@ -152,10 +152,11 @@ std::string whole_demand(const Claim& claim, const std::vector<const Piece*>& pi
     if (most != least && least > 0) {
         text += fmt::format(" --min {}", least);
     }
-    // What --gap demands: one of two neighbouring numbers.
+    // What --gap demands: one of two neighbouring numbers, of bodies of two or three.
+    const int leap = claim.system.rho ? 2 : 1;
     const bool is_staircase =
         !claim.range.is_single() && most != least &&
-        std::ranges::none_of(pieces, [](const Piece* piece) { return *piece->upper > piece->lower + 1; });
+        std::ranges::none_of(pieces, [&](const Piece* piece) { return *piece->upper > piece->lower + leap; });
     const Gaps gaps = gaps_of(pieces);
     if (const std::string widest = is_staircase ? gap_text(gaps.widest) : ""; !widest.empty()) {
         text += fmt::format(" --gap {} --gaps {}", widest, gaps.number);
@@ -177,13 +178,13 @@ bool fits_a_line(const Range& range) {
 std::optional<std::string> out_of_reach(const Claim& claim) {
     const auto& [q_lo, q_hi] = claim.range;
     constexpr int common = SectionRow{}.most_digits;
-    const int most = claim.range.is_single() ? row_of(claim.system.section).most_digits : common;
+    const int most = claim.range.is_single() || claim.system.rho ? row_of(claim.system.section).most_digits : common;
     const bool far = most > common;
     if (!fits_a_line(claim.range)) {
         return fmt::format("{} is too long for a line of a certificate: write fewer digits",
                            printable(exact_text(q_lo), 40));
     }
-    if (claim.system.rho && !fits_a_line(*claim.system.rho)) {
+    if (claim.system.rho && !fits_a_line({*claim.system.rho, *claim.system.rho})) {
         return "the rho of the body is too long for a line of a certificate: write fewer digits";
     }
     if (q_hi <= Rational(pow(Integer(10), static_cast<unsigned>(most)))) {

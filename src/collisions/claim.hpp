@@ -23,8 +23,8 @@ struct Claim {
     std::optional<Rod> rod = {};  ///< if it was given so
 };
 
-/// Bodies with this rho and this inertia Q, each a number or LO:HI as a user writes it. Throws InputError,
-/// which names the option, if no body with its mass between its contacts has them (L70).
+/// Bodies with this rho, a number, and this inertia Q, a number or LO:HI, as a user writes them. Throws
+/// InputError, which names the option, if no body has them.
 [[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);
 /// The same body by plain covers (L71), as the sceptic has it. Throws InputError if Q rho < 1.
 [[nodiscard]] Claim by_plain_covers(Claim claim);

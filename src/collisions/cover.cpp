@@ -75,14 +75,9 @@ Axis longest_side(Chart chart, const Box& box) {
         row_of(chart).counts_at_least_position ? approximate(box[Axis::ratio].hi) : 1;
     const double position = width(box[Axis::position]) * position_weight;
     const double slope = width(box[Axis::slope]);
-    const double rho = width(box[Axis::rho]) / 2;
     // A relative change of the ratio moves a bound much less than the same change of a coordinate: plain
-    // evaluation takes 3 to 6 times as many boxes with equal weights, and with a range of rho, on which the
-    // height of the bridge depends, 2 times as many with a weight of 1/16 as with 1/64.
-    const double ratio = width(box[Axis::ratio]) / ((rho > 0 ? 64 : 8) * approximate(box[Axis::ratio].lo));
-    if (rho > std::max({position, slope, ratio})) {
-        return Axis::rho;
-    }
+    // evaluation takes 3 to 6 times as many boxes with equal weights.
+    const double ratio = width(box[Axis::ratio]) / (8 * approximate(box[Axis::ratio].lo));
     if (row_of(chart).needs_both_ratios && ratio > std::max(position, slope)) {
         return Axis::ratio;
     }
@@ -126,7 +121,7 @@ std::optional<Tree> cover(Chart chart, const Rational& q_lo, const Rational& q_h
     require(upper >= 1, "cover: an upper bound is at least 1");
     Box root = root_box(chart, q_lo, q_hi);
     if (options.system.rho) {
-        root[Axis::rho] = {options.system.rho->lo, options.system.rho->hi};
+        root.rho = *options.system.rho;
     }
     GrowingTree<Node, Box, axis_count> tree(std::move(root), boxes_in_memory);
     for (; !tree.boxes().empty(); tree.next_generation()) {

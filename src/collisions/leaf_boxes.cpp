@@ -48,17 +48,15 @@ BoxEnds Boxes::box(const std::array<Rational, axis_count>& lo, const std::array<
     return ends;
 }
 
-Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi, const System& system) {
-    const auto [rho_lo, rho_hi] = system.rho.value_or(Range{});
+Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi) {
     Boxes boxes;
-    boxes.root = boxes.box({0, 0, q_lo, rho_lo}, {greatest_position(row_of(chart)),
-                                                  greatest_slope(row_of(chart), q_hi), q_hi, rho_hi});
+    boxes.root = boxes.box({0, 0, q_lo},
+                           {greatest_position(row_of(chart)), greatest_slope(row_of(chart), q_hi), q_hi});
     return boxes;
 }
 
-Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
-                 const System& system) {
-    Boxes boxes = root_of(chart, q_lo, q_hi, system);
+Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree) {
+    Boxes boxes = root_of(chart, q_lo, q_hi);
     std::vector<Waiting> waiting{{boxes.root}};  // the nodes to come: the next one last
     for (const Node& node : tree) {
         if (waiting.empty()) {
@@ -72,8 +70,7 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
         }
         const std::size_t axis = static_cast<std::size_t>(*node.split);
         if (boxes.hi(boxes.root, axis) == 0) {
-            throw InputError(fmt::format("the chart {} has no {} to split", row_of(chart).name,
-                                         *node.split == Axis::rho ? "rho" : "position"));
+            throw InputError(fmt::format("the chart {} has no position to split", row_of(chart).name));
         }
         if (++splits[axis] > most_splits) {
             throw InputError(

@@ -12,7 +12,7 @@
 namespace dumbbell::collisions {
 
 /// A closed box: for each Axis, where Boxes::values has its ends. Boxes of one tree share their ends, so a
-/// tree of n leaves has about n numbers, not 8 n.
+/// tree of n leaves has about n numbers, not 6 n.
 struct BoxEnds {
     std::array<std::uint32_t, axis_count> lo{};
     std::array<std::uint32_t, axis_count> hi{};
@@ -37,14 +37,12 @@ struct Boxes {
 };
 
 /// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
-/// position: [0, 0]. What is no body has no rho: [0, 0].
-[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi,
-                            const System& system = {});
+/// position: [0, 0].
+[[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
 /// Throws InputError if nodes follow its end, if an axis that is not there is split, or if one is split more
 /// than 400 times above a node (format.md).
-[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree,
-                               const System& system = {});
+[[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
 
 }  // namespace dumbbell::collisions

@@ -23,12 +23,11 @@ constexpr std::string_view first_line = "dumbbell-partial 1\n";
 
 std::string text_of(const Claim& claim) {
     const SectionRow& row = row_of(claim.system.section);
-    const auto ends = [](std::string_view word, const Range& range) {
-        return fmt::format("{} {} {}\n", word, to_fraction(range.lo), to_fraction(range.hi));
-    };
-    return fmt::format("{}generator dumbbell {}\nscene {}\nsection {}\n{}{}gap {}\n", first_line,
-                       DUMBBELL_VERSION, row.scene, row.section, ends("ratio", claim.range),
-                       claim.system.rho ? ends("rho", *claim.system.rho) : "", to_fraction(claim.gap));
+    const auto& rho = claim.system.rho;
+    return fmt::format("{}generator dumbbell {}\nscene {}\nsection {}\nratio {} {}\n{}gap {}\n", first_line,
+                       DUMBBELL_VERSION, row.scene, row.section, to_fraction(claim.range.lo),
+                       to_fraction(claim.range.hi),
+                       rho ? fmt::format("rho {0} {0}\n", to_fraction(*rho)) : "", to_fraction(claim.gap));
 }
 
 constexpr std::size_t name_length = 32;  // of a piece, without extension

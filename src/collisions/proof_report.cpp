@@ -39,7 +39,7 @@ std::string ratio_word(const ProofReport& report) { return report.claim.system.r
 
 std::string rho_text(const ProofReport& report) {
     const auto& rho = report.claim.system.rho;
-    return rho ? fmt::format(", rho {}", range_text(*rho)) : "";
+    return rho ? fmt::format(", rho {}", exact_text(*rho)) : "";
 }
 
 std::string value_text(const Piece& piece) {
@@ -279,7 +279,7 @@ Json to_json(const ProofReport& report) {
          {"out", report.out},
          {"sha256", report.sha256}});
     if (const auto& rho = report.claim.system.rho) {
-        json.add("rho", Json::object({{"lo", to_fraction(rho->lo)}, {"hi", to_fraction(rho->hi)}}));
+        json.add("rho", Json::object({{"lo", to_fraction(*rho)}, {"hi", to_fraction(*rho)}}));
     }
     return json;
 }

@@ -118,8 +118,14 @@ ClaimedHead head_from(Lines& lines, const std::string& path) {
         return {lines.ratio(fields[1]), lines.ratio(fields[2])};
     };
     const Range range = ends("ratio");
-    const auto rho = *section == Section::body || *section == Section::plain_body ? std::optional(ends("rho"))
-                                                                                  : std::nullopt;
+    std::optional<Rational> rho;
+    if (*section == Section::body || *section == Section::plain_body) {
+        const Range heights = ends("rho");
+        if (!heights.is_single()) {
+            throw InputError(fmt::format("'{}' is about a range of rho: only the verifiers read it", path));
+        }
+        rho = heights.lo;
+    }
     const auto pieces = static_cast<std::size_t>(lines.number(lines.expect("pieces", 2)[1]));
     if (pieces == 0) {
         lines.fail();

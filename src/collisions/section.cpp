@@ -22,7 +22,7 @@ std::optional<Section> first_section(Fits fits) {
 const SectionRow& row_of(Section section) { return *section_rows.at(static_cast<std::size_t>(section)); }
 
 const SectionRow& staircase_of(const System& system) {
-    return system.rho && system.rho->lo == 1 ? wedge_row : row_of(system.section);
+    return system.rho && *system.rho == 1 ? wedge_row : row_of(system.section);
 }
 
 std::optional<Section> section_named(std::string_view scene, std::string_view section) {

@@ -27,6 +27,12 @@ template <class I>
                                                   const Count& target,
                                                   const Interrupted& interrupted = never);
 
+/// The same for bodies: a contact with the bridge that has at least `target` collisions (L74), for every Q of
+/// the range; by tangents for its least.
+template <class I>
+[[nodiscard]] std::optional<Witness> contact_of_body(const Range& range, long target, const System& system,
+                                                     const Interrupted& interrupted = never);
+
 /// A dumbbell in the air, as decimals that mean exactly what they spell, in the units of `trace`: rod length
 /// 1, phi in radians, y the height of the centre of mass.
 struct WitnessStart {

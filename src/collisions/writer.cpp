@@ -30,7 +30,7 @@ class Writer : PieceLines {
         head(frame.generator, row.lemmas, row.scene, row.section_in_file, "collisions");
         line("ratio {} {}", to_fraction(pieces.front()->q_lo), to_fraction(pieces.back()->q_hi));
         if (const auto& rho = frame.system.rho) {
-            line("rho {} {}", to_fraction(rho->lo), to_fraction(rho->hi));
+            line("rho {} {}", to_fraction(*rho), to_fraction(*rho));
         }
         line("pieces {}", pieces.size());
     }

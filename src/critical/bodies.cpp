@@ -29,7 +29,7 @@ const collisions::BoundSearch<I>& body_bounds() {
     return std::get<collisions::BoundSearch<I>>(row_of(collisions::Section::body).bounds);
 }
 
-const Rational& rho_of(const Claim& body) { return body.system.rho->lo; }
+const Rational& rho_of(const Claim& body) { return *body.system.rho; }
 const Rational& inertia_of(const Claim& body) { return body.range.lo; }
 
 /// What seems to be N; nothing if interrupted.
@@ -164,7 +164,7 @@ std::optional<Rational> touching(const Claim& body, const Tie& tie, const Option
 bool has_at_most(const Claim& body, long most, const Tie& tie, const Options& options) {
     constexpr int most_boxes = 2000;
     collisions::Box box = root_box(collisions::Chart::tangent, inertia_of(body), inertia_of(body));
-    box[collisions::Axis::rho] = {rho_of(body), rho_of(body)};
+    box.rho = rho_of(body);
     const Rational between = (touching(body, tie, options).value_or(tie.e) + tie.e) / 2;
     std::vector<std::pair<Rational, Rational>> todo{{0, 2}};
     for (int boxes = 0; !todo.empty(); ++boxes) {
@@ -299,7 +299,7 @@ std::optional<Ratio> enclose_between(const Bodies& bodies, long n, const Ends& f
 
 Claim Bodies::at(const Rational& t) const {
     return have_rods ? claim_of(collisions::Rod{number, t})
-                     : Claim{.range = {t, t}, .system = {collisions::Section::body, {{number, number}}}};
+                     : Claim{.range = {t, t}, .system = {collisions::Section::body, number}};
 }
 
 std::optional<Ratio> enclose_inertia(const Bodies& bodies, long n, const Options& options) {

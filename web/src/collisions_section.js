@@ -27,7 +27,7 @@ function claimText(file) {
     }
     const parts = [`${plural(number("exact"), "piece")} with one value of N(${symbol})`];
     if (number("gap") > 0) {
-        parts.push(`${plural(number("gap"), "gap")} around the steps, with two neighbouring values`);
+        parts.push(`${plural(number("gap"), "gap")} around the steps, with ${file.rho ? "two or three" : "two"} neighbouring values`);
     }
     if (number("open") > 0) {
         parts.push(`${plural(number("open"), "open piece")}, not decided`);

@@ -9,8 +9,7 @@ namespace dumbbell::cli {
 
 /// Which body, of the scene body.
 inline constexpr std::array body_options{
-    Option{"--rho", "RHO", "d2/d1 of the distances of the contacts from the centre of mass, or LO:HI"}.of(
-        "bodies"),
+    Option{"--rho", "RHO", "d2/d1 of the distances of the contacts from the centre of mass"}.of("bodies"),
     Option{"--inertia", "Q", "(d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs("--rho").of(
         "bodies"),
     flag("--coin",

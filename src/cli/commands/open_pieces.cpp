@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "collisions/section.hpp"
 #include "file/dyadic.hpp"
 
 namespace dumbbell::cli {
@@ -28,7 +29,8 @@ Obstacle worst_obstacle(const std::vector<ProvedPiece>& pieces) {
 std::string plain_advice(const CertifyRequest& request) {
     const Rational widest(1, 100);
     if (!is_range(request)) {
-        return ": --section plain needs many boxes, the more the nearer a critical ratio is: leave it out, "
+        return ": --section plain needs many boxes, the more the nearer a step of the maximum is: leave it "
+               "out, "
                "or allow more time (--budget)";
     }
     return request.claim.gap < widest
@@ -38,10 +40,7 @@ std::string plain_advice(const CertifyRequest& request) {
 
 std::string reason(const CertifyRequest& request, Obstacle obstacle) {
     const collisions::System& system = request.claim.system;
-    if (system.rho && obstacle != Obstacle::time) {
-        return ": an orbit may have been missed, or more boxes are needed than are tried, as next to a tie";
-    }
-    if (system.section == collisions::Section::plain &&
+    if (row_of(system.section).section == "plain" &&
         (obstacle == Obstacle::time || obstacle == Obstacle::boxes)) {
         return plain_advice(request);
     }

@@ -17,18 +17,17 @@ struct FullBounds {
 /// The bodies of a box; massless dumbbells if it has no rho, or is of one body with Q rho = 1 (L75).
 template <class I>
 flight::Body<I> body_of(const Box& box) {
-    const auto& [position, slope, q, rho] = box.sides;
+    const Side& q = box[Axis::ratio];
+    const Rational rho = box.rho, lo = q.lo, hi = q.hi;
     const I r = hull(q.hi.template inverse<I>(), q.lo.template inverse<I>());
-    const bool is_massless = approximate(rho.hi) == 0 || (Rational(rho.lo) * Rational(q.lo) == 1 &&
-                                                          Rational(rho.hi) * Rational(q.hi) == 1);
+    const bool is_massless = rho == 0 || (rho * lo == 1 && rho * hi == 1);
     return is_massless ? flight::Body<I>::massless(r)
-                       : flight::Body<I>::with_mass(
-                             hull(rho.lo.template enclosure<I>(), rho.hi.template enclosure<I>()), r);
+                       : flight::Body<I>::with_mass(box.rho.template enclosure<I>(), r);
 }
 
 template <class I>
 FullBounds<I> full_bounds(const Box& box) {
-    const auto& [position, eta, q, rho] = box.sides;
+    const auto& [position, eta, q] = box.sides;
     return {position.lo.template enclosure<I>(),
             position.hi.template enclosure<I>(),
             eta.lo.template enclosure<I>(),

@@ -6,6 +6,7 @@
 #include "collisions/chart.hpp"
 #include "collisions/names.hpp"
 #include "collisions/section.hpp"
+#include "collisions/witness.hpp"
 #include "flight/certain_count.hpp"
 #include "flight/corner.hpp"
 #include "flight/valley.hpp"
@@ -41,6 +42,9 @@ class Tangents {
     [[nodiscard]] long even(long hits, long cap) const {
         Ray<I> ray = along_bridge();
         for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
+            if (ends_early(bounces, interrupted_)) {
+                return cap + 1;
+            }
             switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
                 case Bounce::returns:
                     break;
@@ -84,13 +88,13 @@ long corner_hits(const Tangents<I>& of, const Rational& rho, const Rational& q, 
 /// L82, of the places [e0, e1]: f(e1) and b(e0), or at the corner J, and there the even value of Theorem B.
 template <class I>
 std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Interrupted& interrupted) {
-    const auto& [position, slope, ratio, height] = box.sides;
+    const auto& [position, slope, ratio] = box.sides;
     const I begin = position.lo.template enclosure<I>();
     if (certainly_less(half_pi<I>(), begin)) {
         return Leaf{Reason::outside};
     }
     const long upper = as_long(most), half = (upper - 1) / 2;
-    const Rational rho = height.lo, q = ratio.hi;
+    const Rational rho = box.rho, q = ratio.hi;
     const Tangents<I> of(rho, q, interrupted);
     const long up = of.upward(position.hi.template enclosure<I>(), half), room = half - up;
     if (up > half) {
@@ -167,7 +171,7 @@ long more_than_all(const Rational& q) {
     return static_cast<long>(2 * std::sqrt(q.convert_to<double>())) + 10;
 }
 
-const Rational& rho_of(const System& system) { return system.rho->lo; }
+const Rational& rho_of(const System& system) { return *system.rho; }
 
 template <class I>
 std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
@@ -206,18 +210,41 @@ std::optional<Witness> contact(const Rational& e, const Rational& eta, const fli
 
 Integer whole(const Rational& x) { return numerator(x) / denominator(x); }
 
-/// A contact just before a place where the tangent touches the bridge again, or in the corner, or close to
-/// it: the three motions of Theorem B. It is of the least Q; greater ones have as many (L83).
 template <class I>
 std::optional<Witness> body_witness(const Range& range, const Count& wanted, const System& system,
                                     const Interrupted& interrupted) {
-    const Rational &q = range.lo, &rho = rho_of(system);
     const long target = as_long(wanted);
-    if (target <= most_in_corner && flight::corner_count(rho, q, target) >= target) {
+    if (target <= most_in_corner && flight::corner_count(rho_of(system), range.lo, target) >= target) {
         return Witness{0, 0, target - 1, 0, Place::corner};
     }
+    return contact_of_body<I>(range, target, system, interrupted);
+}
+
+template <class I>
+constexpr BoundSearch<I> body_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>};
+
+/// L72.
+std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, const System& system) {
+    const bool holds = rho_of(system) == 1 && flight::corner_count(1, range.hi, most_in_corner) <=
+                                                  std::min(upper, Count(most_in_corner));
+    return holds ? std::optional(Cover{.symmetric = true, .charts = {}}) : std::nullopt;
+}
+
+constexpr std::array tangent_charts{Chart::tangent};
+constexpr std::array plain_body_charts{Chart::plain_contact, Chart::plain_departure};
+
+}  // namespace
+
+/// Just before a place where the tangent touches the bridge again, or close to the corner. It is of the least
+/// Q; greater ones have as many (L83), which plain covers do not know.
+template <class I>
+std::optional<Witness> contact_of_body(const Range& range, long target, const System& system,
+                                       const Interrupted& interrupted) {
+    const Rational &q = range.lo, &rho = rho_of(system);
+    const Rational& greatest = system.section == Section::body ? q : range.hi;
     const Tangents<I> of(rho, q, interrupted);
-    const auto body = flight::Body<I>::with_mass(enclose<I>(rho), enclose<I>(1 / q));
+    const auto body =
+        flight::Body<I>::with_mass(enclose<I>(rho), hull(enclose<I>(1 / greatest), enclose<I>(1 / q)));
     const long cap = more_than_all(q);
     const Best best = best_tangent(of, corner_hits(of, rho, q, cap), cap, target / 2, interrupted);
     const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits) : quarter();
@@ -234,12 +261,8 @@ std::optional<Witness> body_witness(const Range& range, const Count& wanted, con
     return std::nullopt;
 }
 
-template <class I>
-constexpr BoundSearch<I> tangent_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>};
-
-constexpr std::array tangent_charts{Chart::tangent};
-
-}  // namespace
+template std::optional<Witness> contact_of_body<Interval>(const Range&, long, const System&,
+                                                          const Interrupted&);
 
 const ChartRow tangent_chart{.name = "tangent",
                              .position = "e",
@@ -249,20 +272,36 @@ const ChartRow tangent_chart{.name = "tangent",
                              .splits_position_only = true,
                              .judges = {judge_tangent<Interval>, judge_tangent<BigInterval>}};
 
-const SectionRow body_row{.scene = "body",
-                          .section = "tangents",
-                          .lemmas = "body",
-                          .section_in_file = "tangents",
-                          .hits = "motion of the body in a plane, without a corner, hits the floor",
-                          .hits_it = "motion hits it",
-                          .system = "The body",
-                          .where = " of a body",
-                          .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
-                          .growth = "1.570796326794896619231321691640",
-                          .max_nodes = 2'000,
-                          .charts = tangent_charts,
-                          .step = nullptr,
-                          .is_monotone = true,  // L83
-                          .bounds = {tangent_bounds<Interval>, tangent_bounds<BigInterval>}};
+constexpr SectionRow body_row{.scene = "body",
+                              .section = "tangents",
+                              .lemmas = "body",
+                              .section_in_file = "tangents",
+                              .hits = "motion of the body in a plane, without a corner, hits the floor",
+                              .hits_it = "motion hits it",
+                              .system = "The body",
+                              .where = " of a body",
+                              .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
+                              .growth = "1.570796326794896619231321691640",
+                              .most_digits = 12,  // there are no macro steps in the valley
+                              .max_nodes = 2'000,
+                              .charts = tangent_charts,
+                              .step = nullptr,
+                              .is_monotone = true,  // L83
+                              .bounds = {body_bounds<Interval>, body_bounds<BigInterval>}};
+
+/// The same of bodies with mass between their contacts, for who doubts the theorem.
+const SectionRow plain_body_row = [] {
+    SectionRow row = body_row;
+    row.section = "plain";
+    row.section_in_file = "full";
+    row.kind_in_totals = symmetric_word;
+    row.bits_to_verify = 0;
+    row.max_bits = double_bits;  // what it leaves open is next to a tie
+    row.max_nodes = 20'000'000;
+    row.charts = plain_body_charts;
+    row.is_monotone = false;
+    row.by_lemma = symmetric_cover;
+    return row;
+}();
 
 }  // namespace dumbbell::collisions

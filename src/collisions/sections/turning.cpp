@@ -19,7 +19,7 @@ struct TurningBounds {
 
 template <class I>
 TurningBounds<I> turning_bounds(const Box& box) {
-    const auto& [e, slope, q, rho] = box.sides;
+    const auto& [e, slope, q] = box.sides;
     const I e_lo = e.lo.template enclosure<I>();
     return {e_lo,
             slope.lo.template enclosure<I>(),

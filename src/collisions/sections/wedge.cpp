@@ -45,7 +45,7 @@ std::optional<Leaf> counted_slopes(const LowestSlopes& slopes, long upper, Count
 template <class I>
 std::optional<Leaf> judge_wedge(const Box& box, const Count& most, const Interrupted& interrupted) {
     const long upper = as_long(most);
-    const auto& [position, slope, q, rho] = box.sides;
+    const auto& [position, slope, q] = box.sides;
     const Rational r = 1 / Rational(q.hi);
     const Rational least = slope.lo;
     if (r * least >= 1 || least * (1 - 1 / Rational(q.lo)) > 2) {

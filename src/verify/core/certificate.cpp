@@ -85,6 +85,7 @@ class CollisionsReader : public Reader<Leaf> {
             if (lowest > greatest || greatest > 1 || (claim_.lo * lowest < 1 && !section_.every_body))
                 text_.reject("number", "not R0 <= R1 <= 1 <= LO R0");
             proofs_.rho = *claim_.rho;
+            claim_.leap = 2;
         }
         text_.expect("pieces", 1);
         const std::uint64_t k = text_.natural(1);

@@ -10,8 +10,8 @@ std::string to_string(const mpq_class& lo, const mpq_class& hi) {
     return to_string(lo) + ":" + to_string(hi);
 }
 
-Bounds::Bounds(const std::optional<mpz_class>& u, const mpz_class& v)
-    : upper(u), lower(v), pieces(1), gaps(u && *u == v + 1), open(!u || *u > v + 1) {}
+Bounds::Bounds(const std::optional<mpz_class>& u, const mpz_class& v, int l)
+    : upper(u), lower(v), pieces(1), gaps(u && *u > v && *u <= v + l), open(!u || *u > v + l), leap(l) {}
 
 void Bounds::join(const Bounds& next) {
     if (pieces == 0)
@@ -28,7 +28,7 @@ void Bounds::join(const Bounds& next) {
 void Bounds::meet(const Bounds& next) {
     if (pieces == 0 || next.pieces == 0) return join(next);
     if (!upper || (next.upper && *next.upper < *upper)) upper = next.upper;
-    *this = Bounds(upper, std::max(lower, next.lower));
+    *this = Bounds(upper, std::max(lower, next.lower), leap);
 }
 
 void Known::join(const Known& next) {
@@ -65,7 +65,7 @@ void Collisions::add(const mpq_class& a, const mpq_class& b, const std::optional
     const bool proves[] = {true, u && (!most || *u <= *most), !least || v >= *least};
     for (std::size_t i = 0; i < 3; ++i)
         if (proves[i] && (reached[i] ? a <= *reached[i] : a <= from && from <= b)) reached[i] = b;
-    const Bounds piece(u, v);
+    const Bounds piece(u, v, leap);
     join(piece);
     const auto [first, last] = question();
     if (u && *u == v && a < b && a < last && first < b)

@@ -21,11 +21,12 @@ struct Bounds {
     std::optional<mpz_class> upper;  ///< the largest; none if a piece has none
     mpz_class lower;                 ///< the least
     std::uint64_t pieces = 0, gaps = 0, open = 0;
+    int leap = 1;  ///< the bounds of a gap differ by at most that; by more: open
 
     Bounds() = default;
-    Bounds(const std::optional<mpz_class>& u, const mpz_class& v);  ///< of one piece
-    void join(const Bounds& next);                                  ///< of other mass ratios
-    void meet(const Bounds& next);                                  ///< of the same mass ratio
+    Bounds(const std::optional<mpz_class>& u, const mpz_class& v, int leap = 1);  ///< of one piece
+    void join(const Bounds& next);                                                ///< of other mass ratios
+    void meet(const Bounds& next);                                                ///< of the same mass ratio
 };
 
 /// The ratios at which N* is known: from `first` to `last`, but in gaps of at most this relative width. What
@@ -42,7 +43,7 @@ struct Collisions : Bounds {
     std::optional<Range> ratios, rhos;     ///< demanded; else the file's
     std::optional<mpz_class> most, least;  ///< demanded: N* <= most, N* >= least on `ratios`
     /// Demanded: N* is known on `ratios`, but in gaps of this relative width, or in so many, in which it is
-    /// one of two neighbouring numbers. Of a single ratio it must be known.
+    /// one of 1 + leap neighbouring numbers. Of a single ratio it must be known.
     std::optional<mpq_class> gap;
     std::optional<mpz_class> gaps_at_most;
 

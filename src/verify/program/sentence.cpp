@@ -38,7 +38,9 @@ std::string known(const Collisions& claim) {
     const auto count = [](std::uint64_t n) { return std::to_string(n); };
     return "; the greatest number is known in " + count(all.pieces - all.gaps - all.open) + " of " +
            count(all.pieces) + " pieces" +
-           (all.gaps > 0 ? ", one of two neighbouring values in " + count(all.gaps) : "") +
+           (all.gaps > 0 ? std::string(", one of two ") + (all.leap > 1 ? "or three " : "") +
+                               "neighbouring values in " + count(all.gaps)
+                         : "") +
            (all.open > 0 ? ", open in " + count(all.open) : "") +
            "; the stretches where it is not known have a "
            "relative width of at most " +

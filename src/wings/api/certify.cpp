@@ -24,8 +24,7 @@ constexpr std::array<std::string_view, 3> sections{"turning", "full", "plain"};
 
 collisions::CertifyRequest request_of(collisions::Claim claim, const CertifyOptions& options) {
     claim.gap = parse_gap(options.gap);
-    const collisions::Range rho = claim.system.rho.value_or(collisions::Range{1, 1});
-    for (const Rational& number : {claim.range.lo, claim.range.hi, rho.lo, rho.hi}) {
+    for (const Rational& number : {claim.range.lo, claim.range.hi, claim.system.rho.value_or(1)}) {
         // Two of them are in one line of a certificate, of 4096 bytes at most; and MassRatio takes what comes
         // back.
         if (to_fraction(number).size() > 2040) {
@@ -74,8 +73,7 @@ Proof proof_of(const collisions::Certificate& certificate, SealedText text) {
     const std::string_view scene = row_of(certificate.system.section).scene;
     proof.scene = static_cast<Scene>(std::ranges::find(scenes, scene) - scenes.begin());
     if (const auto& rho = certificate.system.rho) {
-        proof.rho_lo = to_fraction(rho->lo);
-        proof.rho_hi = to_fraction(rho->hi);
+        proof.rho = to_fraction(*rho);
     }
     return proof;
 }
@@ -103,7 +101,7 @@ Body body_of_rod(const MassRatio& ends, std::string_view mass) {
     return guarded([&]() -> Body {
         const auto body = claim_of(
             collisions::Rod{single_ratio(ends, "a rod with mass"), parse_number("mass", std::string(mass))});
-        return {to_fraction(body.system.rho->lo), to_fraction(body.range.lo)};
+        return {to_fraction(*body.system.rho), to_fraction(body.range.lo)};
     });
 }
 

@@ -34,7 +34,7 @@ std::string leaf_text(const Boxes& boxes, Chart chart, std::size_t index) {
     for (const Axis axis : collisions::all_axes) {
         const auto number = static_cast<std::size_t>(axis);
         if (boxes.hi(boxes.root, number) == 0) {
-            continue;  // the chart wedge has no position, only bodies have a rho
+            continue;  // the chart wedge has no position
         }
         ranges += fmt::format("{}{} {}..{}", ranges.empty() ? "" : ", ", axis_name(chart, axis),
                               shown(boxes.lo(boxes.leaves[index], number)),
@@ -87,7 +87,6 @@ class Auditor {
   public:
     Auditor(const Certificate& certificate, Observer& observer)
         : observer_(observer),
-          system_(certificate.system),
           total_(static_cast<std::size_t>(certificate.leaves())),
           needed_(collisions::row_of(certificate.system.section).charts) {}
 
@@ -122,7 +121,7 @@ class Auditor {
         ++result.charts;
         const std::string where = fmt::format(", chart {}", row_of(tree.chart).name);
         try {
-            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree, system_);
+            const Boxes boxes = leaf_boxes(tree.chart, piece.q_lo, piece.q_hi, tree.tree);
             const std::size_t before = result.leaves;
             const Tiling tiling = check_tiling(boxes, [&](double done) {
                 show(before + static_cast<std::size_t>(done * static_cast<double>(boxes.leaves.size())));
@@ -149,7 +148,6 @@ class Auditor {
     }
 
     Observer& observer_;
-    collisions::System system_;
     std::size_t total_;
     std::span<const Chart> needed_;
 };

@@ -58,7 +58,7 @@ stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array trace_topics{
     Topic{
-        "bodies", "Follow a rigid body with mass between its two contacts.",
+        "bodies", "Follow a rigid body.",
         R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia, which are numbers here. The light end is the one
 at the distance d1 from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds in a
 plane, and until a corner is met. There is no certificate of it.
@@ -79,8 +79,7 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 
 constexpr std::array start_options{
     ratio_option,
-    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body with mass between its contacts",
-           "dumbbell"},
+    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body", "dumbbell"},
     list_option.excludes("RATIO,--quiet"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
@@ -157,14 +156,13 @@ System system_of(const Given& given) {
         return {given_ratio(given), {}};
     }
     const collisions::Claim body = body_claim(given);
-    const collisions::Range& rho = *body.system.rho;
     if (given.has("--out")) {
         throw InputError("there are no certificates about starts of bodies: leave out --out");
     }
-    if (!body.range.is_single() || !rho.is_single()) {
-        throw InputError("trace follows a single body: --rho and --inertia are numbers here, not ranges");
+    if (!body.range.is_single()) {
+        throw InputError("trace follows a single body: --inertia is a number here, not a range");
     }
-    return {{body.range.lo, body.range.lo, false}, rho.lo};
+    return {{body.range.lo, body.range.lo, false}, body.system.rho};
 }
 
 starts::GivenStart start_of(const Given& given, const System& system, int digits) {

@@ -11,7 +11,7 @@
 #include "collisions/leaf_boxes.hpp"
 #include "collisions/names.hpp"
 #include "collisions/section.hpp"
-#include "collisions/sections/body_witness.hpp"
+#include "collisions/witness.hpp"
 #include "flight/paper_bound.hpp"
 #include "number/decimal.hpp"
 #include "page/file.hpp"
@@ -120,14 +120,11 @@ class Kinds {
     std::map<collisions::Reason, long> leaves_;
 };
 
-Json axes_json(collisions::Chart chart, const Piece& piece, const System& system) {
-    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi, system);
+Json axes_json(collisions::Chart chart, const Piece& piece) {
+    const collisions::Boxes root = collisions::root_of(chart, piece.q_lo, piece.q_hi);
     Json axes = Json::array();
     for (const Axis axis : collisions::all_axes) {
         const auto number = static_cast<std::size_t>(axis);
-        if (axis == Axis::rho && !system.rho) {
-            continue;
-        }
         axes.add(Json::object({{"name", axis_name(chart, axis)},
                                {"lo", to_fraction(root.lo(root.root, number))},
                                {"hi", to_fraction(root.hi(root.root, number))}}));
@@ -135,8 +132,8 @@ Json axes_json(collisions::Chart chart, const Piece& piece, const System& system
     return axes;
 }
 
-Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const System& system,
-                const Kinds& kinds, const BoxBudget& budget) {
+Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Kinds& kinds,
+                const BoxBudget& budget) {
     PictureTree tree;
     tree.reserve(chart.tree.size());
     for (const collisions::Node& node : chart.tree) {
@@ -145,7 +142,7 @@ Json chart_json(const collisions::ChartTree& chart, const Piece& piece, const Sy
     }
     Json json = tree_json(tree, budget);
     json.add("chart", row_of(chart.chart).name);
-    json.add("axes", axes_json(chart.chart, piece, system));
+    json.add("axes", axes_json(chart.chart, piece));
     return json;
 }
 
@@ -156,9 +153,7 @@ Json witness_json(const Piece& piece, const System& system) {
     std::optional<collisions::Witness> drawn = witness;
     if (witness.place == collisions::Place::corner) {
         const Rational q = exact(std::sqrt((piece.q_lo * piece.q_hi).convert_to<double>()));
-        const Rational rho = (system.rho->lo + system.rho->hi) / 2;
-        drawn = collisions::found_contact({q, q}, {system.section, collisions::Range{rho, rho}},
-                                          as_long(witness.total()), never);
+        drawn = collisions::contact_of_body<Interval>({q, q}, as_long(witness.total()), system);
     }
     return Json::object({{"chart", name(witness.place)},
                          {"e", drawn ? Json(to_fraction(drawn->e)) : Json()},
@@ -175,7 +170,7 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
                            piece.q_hi <= flight::paper_bound_limit();
     Json trees = Json::array();
     for (const collisions::ChartTree& chart : piece.cover.charts) {
-        trees.add(chart_json(chart, piece, certificate.system, kinds, budget));
+        trees.add(chart_json(chart, piece, kinds, budget));
     }
     return Json::object(
         {{"lo", to_fraction(piece.q_lo)},
@@ -194,12 +189,6 @@ Json piece_json(const Piece& piece, const Certificate& certificate, const Kinds&
                              : Json()},
          {"witness", piece.witness ? witness_json(piece, certificate.system) : Json()},
          {"trees", trees}});
-}
-
-/// " = 1", " from 1/2 to 3/4".
-std::string text_of(const collisions::Range& ends) {
-    return ends.is_single() ? " = " + exact_text(ends.lo)
-                            : fmt::format(" from {} to {}", exact_text(ends.lo), exact_text(ends.hi));
 }
 
 /// The greatest upper and the least lower bound; none if a piece has no upper bound.
@@ -225,26 +214,26 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     }
     const auto& rho = certificate.system.rho;
     const std::string where =
-        rho ? fmt::format("{} with \u03c1 = d2/d1{} (in a plane, as long as it meets no corner)", row.where,
-                          text_of(*rho))
+        rho ? fmt::format("{} with \u03c1 = d2/d1 = {} (in a plane, as long as it meets no corner)",
+                          row.where, exact_text(*rho))
             : std::string(row.where);
-    return Json::object(
-        {{"claim", "collisions"},
-         {"scene", row.scene},
-         {"system", rho ? fmt::format("The body with \u03c1{}", text_of(*rho)) : std::string(row.system)},
-         {"where", where},
-         {"symbol", symbol_of(certificate)},
-         {"ratio", rho ? "Q = (d1/k)\u00b2" : "mass ratio q"},
-         {"rho", rho ? Json(to_fraction((rho->lo + rho->hi) / 2)) : Json()},
-         {"has_orbits", row.has_orbits},
-         {"section", row.section},
-         {"lo_text", exact_text(certificate.q_lo())},
-         {"hi_text", exact_text(certificate.q_hi())},
-         {"upper", upper},
-         {"lower", lower},
-         {"kinds", kinds.json()},
-         {"totals", kinds.totals()},
-         {"pieces", pieces}});
+    return Json::object({{"claim", "collisions"},
+                         {"scene", row.scene},
+                         {"system", rho ? fmt::format("The body with \u03c1 = {}", exact_text(*rho))
+                                        : std::string(row.system)},
+                         {"where", where},
+                         {"symbol", symbol_of(certificate)},
+                         {"ratio", rho ? "Q = (d1/k)\u00b2" : "mass ratio q"},
+                         {"rho", rho ? Json(to_fraction(*rho)) : Json()},
+                         {"has_orbits", row.has_orbits},
+                         {"section", row.section},
+                         {"lo_text", exact_text(certificate.q_lo())},
+                         {"hi_text", exact_text(certificate.q_hi())},
+                         {"upper", upper},
+                         {"lower", lower},
+                         {"kinds", kinds.json()},
+                         {"totals", kinds.totals()},
+                         {"pieces", pieces}});
 }
 
 std::string claim_options(const Certificate& certificate) {

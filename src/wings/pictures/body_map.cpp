@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "collisions/claim.hpp"
 #include "pictures/count_colours.hpp"
 #include "pictures/frame.hpp"
 #include "pictures/palette.hpp"
@@ -24,11 +25,10 @@ constexpr double map_left = 64;
 constexpr double map_height = 460;
 constexpr double least_greatest_inertia = 12;  // room for the coin and what lies above it
 
-/// rho and the inertia of two ends of the mass ratio q and a uniform rod of mu times their mass (L70 (d)).
+/// rho and the inertia of two ends of the mass ratio q and a uniform rod of mu times their mass.
 std::pair<double, double> rod_body(double q, double mu) {
-    const double d1 = (2 * q / (1 + q) + mu) / (2 * (1 + mu));
-    const double rho = (2 + mu * (1 + q)) / (2 * q + mu * (1 + q));
-    return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
+    const auto claim = claim_of(collisions::Rod{exact(q), exact(mu)});
+    return {value(*claim.system.rho), value(claim.range.lo)};
 }
 
 /// From no mass of the rod to ten thousand times the mass of its ends.
@@ -43,20 +43,15 @@ std::string kind_of(const Piece& piece) {
     return piece.status() == Status::exact ? count_kind(piece.lower) : "hatched";
 }
 
-void draw_piece(Svg& svg, const Frame& frame, const collisions::Range& rho, const Piece& piece) {
-    const double left = frame.x(value(rho.lo));
+void draw_piece(Svg& svg, const Frame& frame, const Rational& rho, const Piece& piece) {
+    const double x = frame.x(value(rho));
     const double top = frame.y(value(piece.q_hi));
-    const double width = frame.x(value(rho.hi)) - left;
     const double height = frame.y(value(piece.q_lo)) - top;
     constexpr double radius = 9;
-    constexpr double least_width = 6;  // of what has no width of its own
-    if (std::max(width, height) < 2 * radius) {
-        svg.circle(kind_of(piece), left + width / 2, top + height / 2, radius);
+    if (piece.q_lo == piece.q_hi) {
+        svg.circle(kind_of(piece), x, top, radius);
     } else {
-        const double shown_width = std::max(width, least_width);
-        const double shown_height = std::max(height, least_width);
-        svg.rect(kind_of(piece), left - (shown_width - width) / 2, top - (shown_height - height) / 2,
-                 shown_width, shown_height);
+        svg.rect(kind_of(piece), x - radius / 2, top, radius, height);
     }
 }
 

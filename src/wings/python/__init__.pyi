@@ -33,7 +33,7 @@ class Certificate:
     def __init__(self, file: Content, *, jobs: int = 1) -> None: ...
     ratio: Final[Tuple[Fraction, Fraction]]
     scene: Final[Literal["dumbbell", "hybrid", "wedge", "body"]]
-    rho: Final[Optional[Tuple[Fraction, Fraction]]]
+    rho: Final[Optional[Fraction]]
     lower: Final[int]
     upper: Final[Optional[int]]
     pieces: Final[Tuple[Tuple[Fraction, Fraction, int, Optional[int]], ...]]
@@ -76,7 +76,7 @@ class Trace:
     collisions: Final[list[Collision]]
 
 def certify(q: Optional[Ratio] = None, *, section: Section = "turning", gap: Number = "1e-6", jobs: int = 1,
-            budget: Optional[float] = None, scene: Scene = "dumbbell", rho: Optional[Ratio] = None,
+            budget: Optional[float] = None, scene: Scene = "dumbbell", rho: Optional[Number] = None,
             inertia: Optional[Ratio] = None, coin: bool = False, rod_mass: Optional[Number] = None) -> Certificate: ...
 def certify_many(ratios: Iterable[Ratio], *, section: Section = "turning", gap: Number = "1e-6", jobs: int = 1,
                  budget: Optional[float] = None, scene: Scene = "dumbbell") -> list[Certificate]: ...

@@ -38,7 +38,7 @@ False
 `q` is exact: an int, a Fraction, a Decimal, a float (its exact value), text such as '9/2', '4.6' or '1:100', or a pair
 (lo, hi). Below 1 the masses are swapped. `scene`: 'dumbbell', or a model wedge, 'hybrid' or 'wedge'. `section`:
 'turning', 'full' or 'plain'. `gap`: the relative width of the gaps at the steps of a range. `budget`: seconds; what is
-not decided by then is open. A rigid body, in a plane: `rho` and `inertia`, each a number or a pair; or `coin`; or `q`
+not decided by then is open. A rigid body, in a plane: `rho` and `inertia`, a number or a pair; or `coin`; or `q`
 with `rod_mass`, the dumbbell whose rod has so many times the mass of its ends.
 )";
 
@@ -134,11 +134,8 @@ void add_certify(py::module_& module) {
             "the pair (lo, hi) of Fractions; of bodies that of their Q")
         .def_readonly("scene", &Proof::scene, "'dumbbell', 'hybrid', 'wedge' or 'body'")
         .def_property_readonly(
-            "rho",
-            [](const Proof& p) {
-                return p.rho_lo.empty() ? py::object(py::none()) : ratio_of(p.rho_lo, p.rho_hi);
-            },
-            "of bodies the pair (lo, hi) of Fractions; else None")
+            "rho", [](const Proof& p) { return p.rho.empty() ? py::object(py::none()) : fraction(p.rho); },
+            "of bodies a Fraction; else None")
         .def_property_readonly("lower", &Proof::least, "N(q) is at least this, for every q")
         .def_property_readonly("upper", &Proof::most, "and at most this; None: a piece is open")
         .def_property_readonly("pieces", pieces_of, "(lo, hi, lower, upper) of each, in order")

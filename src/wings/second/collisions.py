@@ -31,7 +31,8 @@ class Staircase:
         self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
         self.parts = pieces  # of several files, with no ratios in question: those of a file about a single ratio as one
         self.low, self.high = pieces[0][0], pieces[-1][1]
-        self.open = sum(u is None or u > v + 1 for _, _, u, v in pieces)
+        self.leap = 2 if rho else 1  # the bounds of a gap differ by at most that
+        self.open = sum(u is None or u > v + self.leap for _, _, u, v in pieces)
         self.heavy_once = heavy_once and all(u is not None for _, _, u, _ in pieces)
 
     def whole(self):
@@ -42,7 +43,7 @@ class Staircase:
     def text(self, demand):
         uppers, lowers = [piece[2] for piece in self.pieces], [piece[3] for piece in self.pieces]
         rho = f" rho={interval_text(*self.rho)}" if self.rho else ""
-        number = sum(u is not None and u == v + 1 for u, v in zip(uppers, lowers))
+        number = sum(u is not None and v < u <= v + self.leap for u, v in zip(uppers, lowers))
         return (f"scene={self.scene} ratio={interval_text(self.low, self.high)}{rho}"
                 f" upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={number} open={self.open}"
                 f"{gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
@@ -67,7 +68,7 @@ class Staircase:
         if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
             return f"not proved: at least {least} collisions{where}"
         width, number = demand["gap"], demand["gaps"]
-        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.parts, low, high, width, number):
+        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.parts, low, high, width, number, self.leap):
             return (f"not proved: the greatest number itself{where}, but in gaps"
                     f"{'' if width is None else f' of relative width {ratio_text(width)}'}"
                     f"{'' if number is None else f', at most {number}'}")

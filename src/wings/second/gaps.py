@@ -39,12 +39,12 @@ def asked(pieces, low, high):
     return [(min((u for u, _ in bounds if u is not None), default=None), max(v for _, v in bounds))]
 
 
-def is_known_but_in_gaps(pieces, low, high, width, number):
-    """Is N known in [low, high], but in gaps of at most this relative width, or so many (None: any), where it is one of two
-    neighbours?"""
+def is_known_but_in_gaps(pieces, low, high, width, number, leap):
+    """Is N known in [low, high], but in gaps of at most this relative width, or so many (None: any), where it is one of
+    1 + leap neighbours?"""
     bounds = asked(pieces, low, high)
     if low == high:
         return bounds[0][0] == bounds[0][1]
     found = gaps_in(pieces, low, high)
-    return (all(u is not None and u <= v + 1 for u, v in bounds)
+    return (all(u is not None and u <= v + leap for u, v in bounds)
             and (width is None or found[0] <= width) and (number is None or found[1] <= number))

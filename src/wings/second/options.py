@@ -20,7 +20,8 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --min N               demand the proof that some trajectory has at least N collisions
   --exactly N           both
   --gap REL             demand the proof of the greatest number itself, at every ratio in question but in gaps of at
-                        most this relative width, where it is one of two neighbouring numbers; gaps that touch are one
+                        most this relative width, where it is one of two neighbouring numbers (of bodies: two or three);
+                        gaps that touch are one
   --gaps N              and that there are at most N of them
   --heavy-at-most 1     demand the proof that the heavy mass hits the floor at most once
   --inertia Q|LO:HI     the bodies in question: their Q = (d1/k)^2, in place of a mass ratio; and

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "attacks/oracle/tangents.hpp"
 #include "number/rational.hpp"
 #include "target.hpp"
 
@@ -64,13 +65,19 @@ Bounds of_angle(long double angle) {
 Bounds of_wedge(const mpq_class& q) {
     return of_angle(2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
 }
-/// L72 and L73 of body.md.
-Bounds of_body(const mpq_class& rho, const mpq_class& q) {
-    const Bounds wedge = of_wedge(q);
-    if (rho == 1) return wedge;
-    const long double root = std::sqrt(static_cast<long double>(q.get_d()));
-    const long double arcs = std::atan(root) + std::atan(static_cast<long double>(rho.get_d()) * root);
-    return {of_angle(std::acos(-1.0L) - arcs).least, 2 * wedge.most + 1};
+/// L72 or Theorem B of body.md, 1e-9 around a step; of long orbits L73 and L84 (a).
+Bounds of_body(const dumbbell::Rational& rho, const mpq_class& q) {
+    if (rho == 1) return of_wedge(q);
+    const double height = rho.convert_to<double>(), inertia = q.get_d();
+    if (inertia <= 1000) {
+        const auto most = [&](double share) {
+            return dumbbell_oracle::TheoremB::of<long double>({height, inertia * (1 + share)}).maximum();
+        };
+        return {most(-1e-9), most(1e-9)};
+    }
+    const long double root = std::sqrt(static_cast<long double>(inertia));
+    return {of_angle(std::acos(-1.0L) - std::atan(root) - std::atan(height * root)).least,
+            of_wedge(q).most + 2};
 }
 
 }  // namespace
@@ -83,11 +90,11 @@ mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut;
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
 void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::collisions::Range>& heights) {
+                  const std::optional<dumbbell::Rational>& height) {
     const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
-    // The maximum does not decrease with q, nor do the bounds of a body with rho and Q.
-    const Bounds at_lo = heights ? of_body(mpq_class(heights->lo.raw()), lo) : maximum(scene, lo),
-                 at_hi = heights ? of_body(mpq_class(heights->hi.raw()), hi) : maximum(scene, hi);
+    // The maximum does not decrease with q or Q.
+    const Bounds at_lo = height ? of_body(*height, lo) : maximum(scene, lo),
+                 at_hi = height ? of_body(*height, hi) : maximum(scene, hi);
     if ((!piece.upper || *piece.upper >= at_hi.least) && piece.lower <= at_lo.most) return;
     trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
          ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " + piece.lower.str() +

@@ -27,8 +27,8 @@ struct Bounds {
 [[nodiscard]] std::size_t greatest_critical();
 
 /// Ends the program if "N* <= upper and N* >= lower at all ratios of the piece" is certainly false.
-/// `heights`: of bodies.
+/// `height`: rho of a body.
 void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::collisions::Range>& heights = {});
+                  const std::optional<dumbbell::Rational>& height = {});
 
 }  // namespace dumbbell_fuzz

@@ -44,7 +44,7 @@ Certificate certified(const std::string& lo, const std::string& hi, const std::s
 /// Of bodies, by plain covers or by tangents.
 Certificate bodies(Section section, const std::string& rho, const std::string& q_lo, const std::string& q_hi,
                    long upper, long lower) {
-    const System system{section, Range{parse_rational(rho), parse_rational(rho)}};
+    const System system{section, parse_rational(rho)};
     return certificate(
         {prove_piece(parse_rational(q_lo), parse_rational(q_hi), upper, lower, {.system = system}).piece},
         system);

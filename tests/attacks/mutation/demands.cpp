@@ -92,7 +92,7 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
                                            "--inertia " + dumbbell::to_fraction(lo) + ":" +
                                                dumbbell::to_fraction(hi) + bounds.text(),
                                            proved && !wider});
-                        rhos(demands.back(), wider ? rho->lo * Rational(9, 10) : rho->lo, rho->hi);
+                        rhos(demands.back(), wider ? *rho * Rational(9, 10) : *rho, *rho);
                     }
                 }
                 for (const std::string scene : {"dumbbell", "hybrid", "wedge"})

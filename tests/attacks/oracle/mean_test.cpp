@@ -1,12 +1,13 @@
-// proofs/theorem.md, Theorem 6: the mean number of collisions of incoming trajectories, by the simulation.
+// proofs/theorem.md, Theorem 6, and L85 of body.md: the mean number of collisions of incoming trajectories,
+// by the simulation.
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "catch.hpp"
 #include "law.hpp"
-#include "simulate.hpp"
-#include "trial.hpp"
+#include "rods.hpp"
 
 using namespace dumbbell_oracle;
 
@@ -17,31 +18,32 @@ Real arc_of(Real m) { return std::sqrt(1 + m) * boost::math::ellint_2(std::sqrt(
 
 }  // namespace
 
-TEST_CASE("theorem 6: each mass hits the floor as often on average as its part of the floor is long") {
-    for (const auto& [q, samples] :
-         {std::pair(1.0L, 8'000), {4.61L, 8'000}, {10.0L, 8'000}, {100.0L, 4'000}, {1000.0L, 800}}) {
+TEST_CASE("theorem 6, L85: each end hits the floor as often on average as its part of the floor is long") {
+    const Numbers tried[] = {{1, 1}, {1 / 4.61, 4.61}, {0.1, 10},   {0.01, 100}, {0.001, 1000},
+                             {1, 4}, {0.5, 9},         {0.3, 1000}, {0.5, 0.5}};
+    for (const Numbers& n : tried) {
         std::mt19937_64 engine(606);
         std::uniform_real_distribution<double> uniform(0, 1);
-        const Dumbbell<Real> body(q);
-        const long count = scaled(samples);
-        Real light = 0, squares = 0, heavy = 0;
+        const auto body = n.body<Real>();
+        const long count = scaled(n.q < 500 ? 8'000 : 800);
+        const std::map<Mass, Real> stated{{Mass::light, arc_of(n.q) / pi<Real>()},
+                                          {Mass::heavy, arc_of(n.q * n.rho * n.rho) / pi<Real>()}};
+        std::map<Mass, Real> sum, squares;
         for (int i = 0; i < count; ++i) {
             const Real phi = 2 * pi<Real>() * uniform(engine), s = 2 * uniform(engine) - 1;
-            const State<Real> from{phi, s * std::sqrt(q), 1.5L * body.beta2(),
-                                   -std::sqrt(1 - s * s) * body.beta2()};
-            Real of_light = 0, of_heavy = 0;
-            for (const auto& collision : simulate(body, from).collisions)
-                (collision.mass == Mass::light ? of_light : of_heavy) += 1;
-            if (of_heavy > 1) FAIL(say("q", q, "phi", phi, "s", s, "the heavy mass twice"));
-            light += of_light;
-            squares += of_light * of_light;
-            heavy += of_heavy;
+            const State<Real> from{phi, s * std::sqrt(n.q), 1.5L, -std::sqrt(1 - s * s)};
+            std::map<Mass, Real> times;
+            for (const auto& collision : simulate(body, from).collisions) ++times[collision.mass];
+            if (times[Mass::heavy] > 1 && std::abs(n.rho * n.q - 1) < 1e-9)
+                FAIL(say("q", n.q, phi, s, "twice"));
+            for (const auto& [mass, k] : times) sum[mass] += k, squares[mass] += k * k;
         }
-        const Real mean = light / count, share = heavy / count;
-        const Real error = std::sqrt((squares / count - mean * mean) / count);
-        INFO(say("q", q, "light", mean, "+-", error, "heavy", share));
-        CHECK(std::abs(mean - arc_of(q) / pi<Real>()) < 4.5L * error);
-        CHECK(std::abs(share - arc_of(1 / q) / pi<Real>()) < 4.5L * std::sqrt(share * (1 - share) / count));
+        for (const auto& [mass, exact] : stated) {
+            const Real mean = sum[mass] / count,
+                       error = std::sqrt((squares[mass] / count - mean * mean) / count);
+            INFO(say("rho", n.rho, "Q", n.q, "light", mass == Mass::light, mean, "+-", error, exact));
+            CHECK(std::abs(mean - exact) < 4.5L * error);
+        }
     }
 }
 

@@ -46,7 +46,7 @@ class Demands(unittest.TestCase):
             low, high = Fraction(low), Fraction(high)
             self.assertEqual(gaps.widest_text(pieces, low, high), width and f" widest-gap={width}")
             for allowed in (0, Fraction(1, 10**9), Fraction(3, 2000), Fraction(1, 3), 1, 9):
-                is_known = gaps.is_known_but_in_gaps(pieces, low, high, allowed, None)
+                is_known = gaps.is_known_but_in_gaps(pieces, low, high, allowed, None, 1)
                 self.assertEqual(is_known, known is not None and allowed >= known, (low, high, allowed))
 
     def test_ranges(self):

@@ -152,10 +152,10 @@ class Leaves(unittest.TestCase):
             most = max(counts)
             if massless:
                 del box["rho"]  # the section plain
-            tightness.append(certified(lambda: section.leaf(chart, "count", [most], box)))
+            tightness.append(certified(lambda: section.leaf(chart, "count", [most], box, None)))
             if most > 0:
                 refused += 1
-                self.assertFalse(certified(lambda: section.leaf(chart, "count", [most - 1], box)), (q, rho, box))
+                self.assertFalse(certified(lambda: section.leaf(chart, "count", [most - 1], box, None)), (q, rho, box))
             e, eta = box[axis][0], box["eta"][0]
             if axis == "e" or e > 1.5:
                 continue
@@ -175,7 +175,7 @@ class Leaves(unittest.TestCase):
         half = Fraction(1, 2)
         box = {"t": (Fraction(5, 4), Fraction(11, 8)), "eta": (Fraction(0), Fraction(1, 16)), "q": (Fraction(3), Fraction(3)),
                "rho": (half, half)}
-        self.assertTrue(certified(lambda: body.Bodies((half, half)).leaf("contact", "count", [1], box)))
+        self.assertTrue(certified(lambda: body.Bodies((half, half)).leaf("contact", "count", [1], box, None)))
 
     def test_no_collision(self):
         certain = 0

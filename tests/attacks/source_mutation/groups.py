@@ -73,6 +73,12 @@ GROUPS = {
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
+    "tangents": Group(
+        files=below("verify", "sections/tangents"),
+        left_out=frozenset(),
+        targets=("dumbbell-verify", "test_verify", "mutation"),
+        programs=("tests/rooms/verify/test_verify",),
+        replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
     "law": Group(  # its numbers and rules
         files=below("verify", "wings/law/bulk wings/law/end wings/law/layer",
                     "wings/law/constants:wings/law/grammar wings/law/kernel:wings/law/layer wings/law/rule:wings/law/layer "

@@ -30,8 +30,7 @@ class Maker {
                 if (i % 6 == 2) around(Start{std::get<starts::Leaf>(leaf).box});
                 continue;
             }
-            const Section& section = *sections[below(i % 2 == 0 ? 3 : 5)];
-            around(of(section));
+            around(below(8) == 0 ? tangents() : of(*sections[below(i % 2 == 0 ? 3 : 5)]));
         }
     }
 
@@ -97,6 +96,25 @@ class Maker {
         return result;
     }
 
+    /// Of the section tangents, with the best hints; half of them in the corner.
+    AnyLeaf tangents() {
+        SectionLeaf result{&dumbbell_verify::tangents(), {}};
+        Leaf& leaf = result.leaf;
+        set_bits(leaf, bits_);
+        leaf.opcode = below(8) == 0 ? dumbbell_verify::outside : dumbbell_verify::count_leaf;
+        leaf.box.lo = {below(2) == 0 ? mpq_class(0) : rounded(uniform(0, 1.6)), 0,
+                       rounded(std::exp2(uniform(1, 6))), std::max(mpq_class(1, 16), rounded(uniform(0, 1)))};
+        leaf.box.hi = leaf.box.lo;
+        leaf.box.hi[0] += width();
+        leaf.a = leaf.b = 9;
+        leaf.claimed = 40;
+        for (mpz_class* hint : {&leaf.a, &leaf.b, &leaf.claimed}) {
+            while (*hint > 0 && judged(result) == "certified") --*hint;
+            if (judged(result) != "certified") ++*hint;
+        }
+        return result;
+    }
+
     AnyLeaf initial() {
         starts::Leaf leaf;
         set_bits(leaf, bits_);
@@ -158,6 +176,8 @@ class Maker {
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, -1);
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, 1);
                 }
+            if (one->section->every_body)
+                for (const int sign : {-1, 1}) move(any, {&leaf.box.lo[3], &leaf.box.hi[3]}, sign);
             for (mpz_class* hint : {&leaf.a, &leaf.b, &leaf.claimed})
                 for (const int step : {-1, 1}) {
                     if (*hint == 0 && step < 0) continue;

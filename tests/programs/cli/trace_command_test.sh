@@ -97,6 +97,8 @@ expect 2 'crosses 1' 0.5:2 --phi 1 --phidot 1 --y 3 --ydot -1
 expect 2 '--subdivide' "${start[@]}" --out "$scratch/x.dbc"
 expect 2 '--subdivide' "${start[@]}" --shares
 expect 0 'all incoming trajectories' 10 --incoming --subdivide --max-boxes 50 --shares
+expect 0 'E(-Q rho^2)/pi (L85' --rho 1/2 --inertia 1/2 --incoming --subdivide --max-boxes 50 --shares
+expect 0 '"proofs/body.md, L84"' --rho 1/2 --inertia 1/2 --incoming --subdivide --max-boxes 50 --shares --json
 expect 2 '--subdivide' 10 --incoming
 expect 2 '--phi' 10 --incoming --subdivide --phi 1
 expect 2 'single mass ratio' 10:11 --incoming --subdivide

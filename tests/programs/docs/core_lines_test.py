@@ -44,6 +44,7 @@ OUTSIDE = {
     "wedge": OTHER_SECTION,
     "hybrid": OTHER_SECTION,
     "body": OTHER_SECTION,
+    "tangents": OTHER_SECTION,
 }
 
 

@@ -15,8 +15,8 @@ GROUND = re.compile(r"The ground \(([^)]*)\) is `namespace dumbbell`")
 WAYS = re.compile(r"## The way of one ratio(.*)## The rooms(.*)## The wings", re.S)
 MOST_LINES = 6000
 INCLUDE = re.compile(r'^#include "([a-z_/0-9]+\.hpp)"', re.M)
-# A parameter that is a part of a claim (collisions/claim.hpp): a section, a scene, or a range of rho.
-LOOSE = re.compile(r"[(,]\s*(?:const )?(?:[\w:]+::)?(?:(?:Section|Scene)&? \w+|Range& rho|[\w:<>]+&? (?:scene|section))\s*[,)]")
+# A parameter that is a part of a claim (collisions/claim.hpp): a section or a scene.
+LOOSE = re.compile(r"[(,]\s*(?:const )?(?:[\w:]+::)?(?:(?:Section|Scene)&? \w+|[\w:<>]+&? (?:scene|section))\s*[,)]")
 MAY_BE_LOOSE = re.compile(r"collisions/(?:claim|section|sections/\w+)\.|python/certify\.cpp")  # the latter: keywords
 NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
 TOKEN = re.compile(

@@ -32,8 +32,6 @@ TEST_CASE("the root's slopes end at the least power of two that reaches the grea
 TEST_CASE("halves share their exact midpoint and nothing else, down to 400 splits") {
     for (const Axis axis : all_axes) {
         Box box = root_box(Chart::light, parse_rational("10/3"), parse_rational("7"));
-        box[Axis::rho].lo = parse_rational("1/3");
-        box[Axis::rho].hi = parse_rational("2/5");
         for (int depth = 0; depth < 400; ++depth) {
             const std::pair<Box, Box> both = halves(box, axis);
             for (const Axis which : all_axes) {

@@ -31,13 +31,10 @@ void check_same(const Boxes& boxes, const BoxEnds& ends, const Box& box) {
 }
 
 /// Are the leaf boxes of a random tree the prover's?
-void check_leaves(Chart chart, const std::vector<Axis>& axes, const std::optional<Range>& rho = {}) {
+void check_leaves(Chart chart, const std::vector<Axis>& axes) {
     const Tree tree = random_tree(60, axes, 5);
-    const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree, {Section::body, rho});
-    Box root = root_box(chart, Rational(10, 3), Rational(31, 7));
-    if (rho) {
-        root[Axis::rho] = {rho->lo, rho->hi};
-    }
+    const Boxes boxes = leaf_boxes(chart, Rational(10, 3), Rational(31, 7), tree);
+    const Box root = root_box(chart, Rational(10, 3), Rational(31, 7));
     std::vector<Box> expected;
     std::size_t next = 0;
     prover_boxes(tree, next, root, expected);
@@ -65,10 +62,7 @@ TEST_CASE("the root boxes are the prover's") {
 
 TEST_CASE("the leaf boxes are the prover's") {
     for (const Chart chart : root_charts) {
-        check_leaves(chart, chart == Chart::wedge ? wedge_axes : axes_but_rho);
-    }
-    for (const Chart chart : {Chart::plain_contact, Chart::plain_departure}) {
-        check_leaves(chart, body_axes, Range{Rational(3, 10), Rational(5, 7)});
+        check_leaves(chart, chart == Chart::wedge ? wedge_axes : three_axes);
     }
 }
 
@@ -89,7 +83,6 @@ TEST_CASE("an axis is split at most 400 times above a node, however many leaves 
     }
 }
 
-TEST_CASE("the chart wedge has no position, and only bodies have a rho") {
-    CHECK_THROWS_AS(leaf_boxes(Chart::plain_contact, 2, 2, {split(Axis::rho), leaf(), leaf()}), InputError);
+TEST_CASE("the chart wedge has no position") {
     CHECK_THROWS_AS(leaf_boxes(Chart::wedge, 2, 2, {split(Axis::position), leaf(), leaf()}), InputError);
 }

@@ -34,7 +34,7 @@ Box random_box(Random& choices) {
     const double q_hi = choices.coin() ? q : q * (1 + choices.log_uniform(1e-6, 0.5));
     const auto [e_lo, e_hi] = side(1);
     const auto [slope_lo, slope_hi] = side(choices.coin() ? 1 : q);
-    return {{{{e_lo, e_hi}, {slope_lo, slope_hi}, {exact(q), exact(q_hi)}, {}}}};
+    return {.sides = {{{e_lo, e_hi}, {slope_lo, slope_hi}, {exact(q), exact(q_hi)}}}};
 }
 
 // Whether a ray that leaves R at corner distance e with slope r lambda passes below the bridge's hump

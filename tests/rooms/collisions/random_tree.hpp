@@ -31,8 +31,7 @@ inline Tree random_tree(long leaves, const std::vector<Axis>& axes, unsigned see
     return tree;
 }
 
-inline const std::vector<Axis> axes_but_rho{Axis::position, Axis::slope, Axis::ratio};
-inline const std::vector<Axis> body_axes{Axis::position, Axis::slope, Axis::ratio, Axis::rho};
+inline const std::vector<Axis> three_axes{Axis::position, Axis::slope, Axis::ratio};
 inline const std::vector<Axis> plane_axes{Axis::position, Axis::slope};
 inline const std::vector<Axis> wedge_axes{Axis::slope, Axis::ratio};
 

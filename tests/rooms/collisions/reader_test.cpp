@@ -39,6 +39,15 @@ TEST_CASE("what was written and read is written the same again") {
     CHECK(render(read_text(good())).text == good());
 }
 
+TEST_CASE("a body has one rho: files with a range of it are for the verifiers") {
+    Piece piece;
+    piece.q_lo = piece.q_hi = 4;
+    const std::string text = render({.pieces = {piece}, .system = {Section::plain_body, 1}}).text;
+    CHECK(render(read_text(text)).text == text);
+    CHECK_THROWS_WITH(read_text(replaced(text, "rho 1/1 1/1", "rho 1/2 1/1")),
+                      Contains("only the verifiers"));
+}
+
 TEST_CASE("the name of the program, the bits and the coordinates survive") {
     const Certificate read = read_text(good());
     CHECK(read.generator.program == "dumbbell");

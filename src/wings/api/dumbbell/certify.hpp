@@ -33,9 +33,9 @@ struct CertifyOptions {
     Scene scene = Scene::dumbbell;  ///< of a mass ratio
 };
 
-/// Rigid bodies that move in a plane, with mass between their two contacts (proofs/body.md): rho = d2/d1 of
-/// the distances of the contacts from the centre of mass, and inertia Q = (d1/k)^2, k the radius of gyration;
-/// each a number as written, or LO:HI. A thin coin is {"1", "4"}, a uniform rod {"1", "3"}.
+/// Rigid bodies that move in a plane (proofs/body.md): rho = d2/d1 of the distances of the contacts from the
+/// centre of mass, a number, and inertia Q = (d1/k)^2, k the radius of gyration, a number or LO:HI; as
+/// written. A thin coin is {"1", "4"}, a uniform rod {"1", "3"}.
 struct Body {
     std::string rho;
     std::string inertia;
@@ -60,7 +60,7 @@ struct Proof {
     std::string sha256;         ///< its last line's: of the text before it
     std::string demand;         ///< all that it says, as Claim::demand of dumbbell/verify.hpp
     Scene scene = Scene::dumbbell;
-    std::string rho_lo, rho_hi;  ///< of bodies: fractions; else empty
+    std::string rho;  ///< of bodies: a fraction; else empty
 
     /// Whether no piece is open.
     [[nodiscard]] bool complete() const {
@@ -79,8 +79,8 @@ struct Proof {
 [[nodiscard]] [[gnu::visibility("default")]] Proof certify(const MassRatio& ratio,
                                                            const CertifyOptions& options = {});
 
-/// The same for a body, or for all bodies of a rectangle. Throws InputError, too, where none has its mass
-/// between its contacts, and for the section full.
+/// The same for a body, or for all with a range of Q. Throws InputError, too, where there is none, for the
+/// section plain where its mass is not between its contacts, and for the section full.
 [[nodiscard]] [[gnu::visibility("default")]] Proof certify(const Body& body,
                                                            const CertifyOptions& options = {});
 

@@ -14,10 +14,6 @@ namespace dumbbell::starts {
 /// rest.
 void require_in_play(const Box& box);
 
-/// Whether q can only be 1. Then r is 1 itself, whatever the division loses: no trajectory has more than two
-/// collisions (L7).
-[[nodiscard]] inline bool has_equal_masses(const Box& box) { return box.upper(Axis::ratio) == 1; }
-
 /// The rho of a box of bodies; of others any number.
 template <class I>
 [[nodiscard]] I rho_of(const Box& box) {
@@ -25,11 +21,13 @@ template <class I>
 }
 
 /// The state whose quantities `side` gives by the numbers of their axes: yhat = y (1 + rho), and r = 1/q, as
-/// far as `limit` leaves it. `rho`: of bodies.
+/// far as `limit` leaves it; if q can only be 1, r is 1 itself (for L7), whatever the division loses. `rho`:
+/// of bodies.
 template <class S, class Side, class Limit = std::identity>
 [[nodiscard]] State<S> state_of(const Box& box, const Side& side, const S& rho, const Limit& limit = {}) {
     const S inverse = S(1) / side(4);
-    const S r = has_equal_masses(box) ? S(1) : limit(inverse);
+    const bool is_one = box.lower(Axis::ratio) == 1 && box.upper(Axis::ratio) == 1;
+    const S r = is_one ? S(1) : limit(inverse);
     const S scale = S(1) + (box.rho ? rho : inverse);
     const auto body = box.rho ? flight::Body<S>::with_mass(rho, r) : flight::Body<S>::massless(r);
     return {side(0), side(2) * scale, side(1), side(3) * scale, body, S(0)};

@@ -4,7 +4,7 @@
 #include "number/elementary.hpp"
 
 /// A body over the floor in free flight and at a contact, by the angle phi of its rod, without any chart:
-/// lemma L0; also with mass between its contacts (L70).
+/// lemma L0; also of a rigid body (L70).
 namespace dumbbell::starts {
 
 /// A moment of a flight: phi (radians; psi = phi - pi/2), the centre of mass's height yhat = y / d1 (of

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int mean_digits = 12;
 
-/// E(m)/pi, E the complete elliptic integral of the second kind, for m < 0.
+/// E(m)/pi, E the complete elliptic integral of the second kind, for m < 0. It is more than E(0)/pi = 1/2.
 BigInterval share_of_arc(const Rational& m) {
     const slong bits = PrecisionScope::current() + 20;
     const BigInterval parameter = enclose<BigInterval>(m);
@@ -28,14 +28,14 @@ BigInterval share_of_arc(const Rational& m) {
     acb_clear(value);
     arb_clear(half_turn);
     flint_cleanup();
-    return result;
+    return max(result, BigInterval(0.5));
 }
 
-std::pair<MeanBounds, ExactMean> both_means(const Rational& q, const PackedTree& tree) {
+std::pair<MeanBounds, ExactMean> both_means(const Box& all, const PackedTree& tree) {
     const MeanBounds bounds = mean_bounds(tree);
-    const ExactMean exact = exact_mean(q);
+    const ExactMean exact = exact_mean(all.lower(Axis::ratio), all.rho);
     require(bounds.lo <= exact_hi(exact.all) && (!bounds.hi || exact_lo(exact.all) <= *bounds.hi),
-            "the mean number of collisions is not that of theorem 6");
+            "the mean number of collisions is not that of the theorem");
     return {bounds, exact};
 }
 
@@ -47,26 +47,29 @@ std::string digits_of_mean(const BigInterval& x) {
 
 }  // namespace
 
-ExactMean exact_mean(const Rational& q) {
-    const BigInterval heavy = share_of_arc(Rational(-1) / q);
+ExactMean exact_mean(const Rational& q, const std::optional<Rational>& rho) {
+    const BigInterval heavy = share_of_arc(rho ? Rational(-q * *rho * *rho) : Rational(-1) / q);
     return {share_of_arc(-q) + heavy, heavy};
 }
 
-std::string mean_text(const Rational& q, const PackedTree& tree) {
-    const auto [bounds, exact] = both_means(q, tree);
-    const std::string least = to_text(cut_down(bounds.lo, mean_digits));
+std::string mean_text(const Box& all, const PackedTree& tree) {
+    const auto [bounds, exact] = both_means(all, tree);
+    const std::string least = bounds.lo == 0 ? "0" : to_text(cut_down(bounds.lo, mean_digits));
     const std::string by_boxes =
         bounds.hi ? fmt::format("between {} and {}", least, to_text(cut_up(*bounds.hi, mean_digits)))
                   : fmt::format("at least {}", least);
-    return fmt::format(
-        "Their mean number of collisions is {}... = (E(-q) + E(-1/q))/pi, and the heavy mass hits the floor "
-        "with\nprobability {}... = E(-1/q)/pi (theorem 6 of proofs/theorem.md). By the boxes the mean is "
-        "{}.\n",
-        digits_of_mean(exact.all), digits_of_mean(exact.heavy), by_boxes);
+    const char* formulas =
+        all.rho ? "(E(-Q) + E(-Q rho^2))/pi, of which the heavy end has\n{}... = E(-Q rho^2)/pi (L85 of "
+                  "proofs/body.md)"
+                : "(E(-q) + E(-1/q))/pi, and the heavy mass hits the floor with\nprobability {}... = "
+                  "E(-1/q)/pi (theorem 6 of proofs/theorem.md)";
+    return fmt::format("Their mean number of collisions is {}... = {}. By the boxes the mean is {}.\n",
+                       digits_of_mean(exact.all),
+                       fmt::format(fmt::runtime(formulas), digits_of_mean(exact.heavy)), by_boxes);
 }
 
-Json mean_json(const Rational& q, const PackedTree& tree) {
-    const auto [bounds, exact] = both_means(q, tree);
+Json mean_json(const Box& all, const PackedTree& tree) {
+    const auto [bounds, exact] = both_means(all, tree);
     const auto ends = [](const BigInterval& x) { return ends_json(Interval(x.lo(), x.hi())); };
     return Json::object({{"lo", to_fraction(bounds.lo)},
                          {"hi", bounds.hi ? Json(to_fraction(*bounds.hi)) : Json()},

@@ -60,14 +60,17 @@ bool rests_on_theorem(const TraceReport& report) {
            (report.parts && is_general(report.parts->least, report.parts->most));
 }
 
+/// What bounds all motions of a body.
+const char* body_lemma(const Box& box) { return *box.rho == 1 ? "L72" : "L84"; }
+
 /// What a bound rests on that the enclosures do not give; else nothing.
 std::string theorem_sentence(const TraceReport& report) {
     if (!rests_on_theorem(report)) {
         return "";
     }
     return report.box.rho
-               ? fmt::format("No motion of the body in a plane has more than {} (L72 of proofs/body.md).",
-                             plural(*report.maximum, "collision"))
+               ? fmt::format("No motion of the body in a plane has more than {} ({} of proofs/body.md).",
+                             plural(*report.maximum, "collision"), body_lemma(report.box))
                : fmt::format("No trajectory at {} {} has more than {} (theorem 1 of proofs/theorem.md).",
                              report.box.lo[4] == report.box.hi[4] ? "mass ratio" : "mass ratios up to",
                              exact_text(report.box.hi[4]), plural(*report.maximum, "collision"));
@@ -133,8 +136,8 @@ std::string decided_text(const Subdivision& parts) {
     return text + kinds_text(parts);
 }
 
-/// Whether theorem 6 is about what is asked.
-bool has_mean(const TraceReport& report) { return report.incoming && report.shares && !report.box.rho; }
+/// Whether theorem 6 or L85 is about what is asked.
+bool has_mean(const TraceReport& report) { return report.incoming && report.shares; }
 
 std::string subdivision_text(const TraceReport& report) {
     const Subdivision& parts = *report.parts;
@@ -144,7 +147,7 @@ std::string subdivision_text(const TraceReport& report) {
                                          "collisions", whole, share_lines(share_bounds(report.parts->tree)))
                            : decided_text(parts);
     if (has_mean(report)) {
-        text += mean_text(report.box.lo[4], parts.tree);
+        text += mean_text(report.box, parts.tree);
     }
     text += fmt::format("Certified: {} of the {} with its exact count; every {} has {}.\n",
                         share_at_least(Rational(1) - parts.undecided.share), whole,
@@ -185,7 +188,7 @@ Json subdivision_json(const TraceReport& report) {
         json.add("shares", share_json(share_bounds(report.parts->tree)));
     }
     if (has_mean(report)) {
-        json.add("mean", mean_json(report.box.lo[4], parts.tree));
+        json.add("mean", mean_json(report.box, parts.tree));
     }
     return json;
 }
@@ -301,7 +304,7 @@ Json to_json(const TraceReport& report) {
          {"most", trace.most},
          {"maximum", by_theorem ? report.maximum : std::nullopt},
          {"rests_on", !by_theorem      ? Json()
-                      : report.box.rho ? Json("proofs/body.md, L72")
+                      : report.box.rho ? Json(fmt::format("proofs/body.md, {}", body_lemma(report.box)))
                                        : Json("proofs/theorem.md, theorem 1")},
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},

@@ -24,7 +24,7 @@ inline constexpr decltype(axis_names) incoming_names{"phi", "s", "", "", ""};
 struct Box {
     std::array<Rational, axis_count> lo;
     std::array<Rational, axis_count> hi;
-    std::optional<Rational> rho{};  ///< of a body with mass between its contacts (L70), whose Q is the ratio
+    std::optional<Rational> rho{};  ///< of a body (L70), whose Q is the ratio
 
     [[nodiscard]] const Rational& lower(Axis axis) const { return lo[static_cast<std::size_t>(axis)]; }
     [[nodiscard]] const Rational& upper(Axis axis) const { return hi[static_cast<std::size_t>(axis)]; }

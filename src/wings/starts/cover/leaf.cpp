@@ -31,7 +31,7 @@ template <class I>
 State<I> wider_state(const Box& box, int bits) {
     const I unit = slack_unit<I>(bits);
     const auto side = [&](std::size_t i) { return with_slack<I>(box.lo[i], box.hi[i], unit); };
-    return state_of(box, side, rho_of<I>(box), [](const I& r) { return min(r, I(1)); });
+    return state_of(box, side, rho_of<I>(box), [&](const I& r) { return box.rho ? r : min(r, I(1)); });
 }
 
 std::pair<Rational, Rational> exact_ends(const Interval& x) { return {exact(x.lo()), exact(x.hi())}; }

@@ -13,7 +13,7 @@ namespace dumbbell::starts {
 [[nodiscard]] Leaf judge_falling(const Box& box);
 
 /// No trajectory at a mass ratio of the box has more collisions (Theorem 1), also beyond the counts that a
-/// certificate's leaf may bound; of a body L72. Nothing beyond 2^53.
+/// certificate's leaf may bound; of a body L72 or L84. Nothing beyond 2^53.
 [[nodiscard]] std::optional<long> most_of_all(const Box& box);
 
 }  // namespace dumbbell::starts

@@ -5,14 +5,13 @@
 #include "flight/corner.hpp"
 #include "starts/walls/later_count.hpp"
 
-/// Bounds of the number of collisions of bodies with mass between their contacts, as long as no corner is
-/// met: lemmas L71, L72, L74, L77.
+/// Bounds of the number of collisions of bodies, as long as no corner is met: lemmas L71, L72, L74, L77, L84.
 namespace dumbbell::starts {
 
-/// No motion of the body in a plane has more collisions (L72).
+/// No motion of the body in a plane has more collisions: L84 (a), and L72 (a) of symmetric ones.
 [[nodiscard]] inline std::optional<long> most_collisions_of_body(const Rational& q, const Rational& rho) {
     const long turns = flight::corner_count(1, q, most_in_corner);
-    return turns > most_in_corner ? std::nullopt : std::optional(rho == 1 ? turns : 2 * turns + 1);
+    return turns > most_in_corner ? std::nullopt : std::optional(rho == 1 ? turns : turns + 2);
 }
 
 /// The later collisions of a box of flights inward from a contact of `left` at the height yhat: at most those

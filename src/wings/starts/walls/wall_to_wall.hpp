@@ -86,7 +86,7 @@ class Recentred<Jet<I>, n> {
 /// functions of the first box. From light wall to light wall, turned so that the flight goes right, the next
 /// distance from the corner and slope do not decrease with the distance before, the slope or r (L5): the
 /// derivatives have one sign each, and their products make rounding errors no wider than orbits diverge. Of
-/// bodies with mass between their contacts, whose orbits are short, it is left out.
+/// bodies other than the massless dumbbell it is left out.
 template <class S>
 class WallToWall {
   public:

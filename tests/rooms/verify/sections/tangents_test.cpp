@@ -95,6 +95,21 @@ TEST_CASE("section tangents: one less or more in any line is refused") {
         CHECK(said_of_tangents(mutated(half, "bridge 87555b-16 1b-22 1 3", witness)) != "verified");
 }
 
+TEST_CASE("N of bodies may leap over a number: a gap is from N to N + 2, and more is open") {
+    const std::string text = tangents_text("4/1 9/1", "1/2 1/2", 5, "count 1 1\n", 3, "corner 0b0 0b0 2 0");
+    for (const auto& [upper, gaps] : {std::pair("5", 1U), {"6", 0U}}) {
+        const make::File file(mutated(text, "upper 5", std::string("upper ") + upper));
+        const auto claim = dumbbell_verify::verify(file.path(), make::asking("body")).claim;
+        CHECK((claim.gaps == gaps && claim.open == 1 - gaps));
+    }
+    dumbbell_verify::Request asked = make::asking("body");
+    asked.demand.gap = mpq_class(5, 4);
+    CHECK(make::outcome(text, asked) == "verified");
+    CHECK(make::outcome(mutated(text, "upper 5", "upper 6"), asked) == "claim-not-proved");
+    asked.demand.gap = 1;
+    CHECK(make::outcome(text, asked) == "claim-not-proved");
+}
+
 TEST_CASE("section tangents: an odd bound needs that the even motion is not reached") {
     // T = k1 = 1 at the edge, where N(10) = 4 by the even motion, and just above it, where there are 5.
     CHECK(holds(mpq_class(1, 10), 10, 0, 2, 1, 0, 4));

@@ -43,18 +43,18 @@ Proof certified(const Question& asked) {
         {"", Scene::dumbbell}, {"hybrid", Scene::hybrid}, {"wedge", Scene::wedge}};
     const std::map<std::string, Section> sections{
         {"", Section::turning}, {"full", Section::full}, {"plain", Section::plain}};
+    const CertifyOptions options{.gap = asked.option("gap", "1e-6"),
+                                 .section = sections.at(asked.option("section")),
+                                 .scene = scenes.at(asked.option("scene"))};
     if (asked.options.contains("coin")) {
-        return certify(Body{"1", "4"});
+        return certify(Body{"1", "4"}, options);
     }
     if (asked.options.contains("rho")) {
-        return certify(Body{asked.option("rho"), asked.option("inertia")});
+        return certify(Body{asked.option("rho"), asked.option("inertia")}, options);
     }
     const MassRatio ratio(asked.subject);
-    return asked.options.contains("rod-mass")
-               ? certify(body_of_rod(ratio, asked.option("rod-mass")))
-               : certify(ratio, {.gap = asked.option("gap", "1e-6"),
-                                 .section = sections.at(asked.option("section")),
-                                 .scene = scenes.at(asked.option("scene"))});
+    return asked.options.contains("rod-mass") ? certify(body_of_rod(ratio, asked.option("rod-mass")), options)
+                                              : certify(ratio, options);
 }
 
 std::string answer(const std::string& function, const Question& asked) try {

@@ -21,7 +21,7 @@ Piece piece_of(const Rational& lo, const Rational& hi, std::vector<ChartTree> ch
 
 Certificate example() {
     return certificate_of(
-        {piece_of(2, 3, {{Chart::bridge, random_tree(20, axes_but_rho, 1)}, {Chart::light, {leaf()}}}),
+        {piece_of(2, 3, {{Chart::bridge, random_tree(20, three_axes, 1)}, {Chart::light, {leaf()}}}),
          piece_of(3, 3, {{Chart::bridge, {leaf()}}, {Chart::light, random_tree(9, plane_axes, 2)}})});
 }
 
@@ -55,22 +55,6 @@ TEST_CASE("certificates of the prover tile") {
         CHECK(result.leaves >= result.charts);
         CHECK(result.charts > 0);
     }
-}
-
-TEST_CASE("halves of rho of a body tile, and a half that is missing is named") {
-    Certificate certificate =
-        certificate_of({piece_of(3, 4,
-                                 {{Chart::plain_contact, random_tree(50, body_axes, 3)},
-                                  {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}})});
-    certificate.system.section = Section::body;
-    certificate.system.rho = Range{Rational(1, 2), Rational(3, 4)};
-    CHECK(audit_of(certificate).tiles());
-    certificate.pieces[0].cover.charts[1].tree.pop_back();
-    CHECK(only_fault(audit_of(certificate), "piece 1, chart departure: area 1/2 of the root's 1/1"));
-    certificate.system.rho = Range{Rational(1, 2), Rational(1, 2)};
-    certificate.pieces[0].cover.charts = {{Chart::plain_contact, {leaf()}},
-                                          {Chart::plain_departure, {split(Axis::rho), leaf(), leaf()}}};
-    CHECK(only_fault(audit_of(certificate), "q 3/1..4/1, rho 1/2..1/2) and leaf 2 ("));
 }
 
 TEST_CASE("what is counted") {

@@ -9,8 +9,8 @@ using namespace dumbbell::pictures;
 
 namespace {
 
-collisions::Certificate bodies(const collisions::Range& rho, const Rational& q_lo, const Rational& q_hi,
-                               long lower, long upper) {
+collisions::Certificate bodies(const Rational& rho, const Rational& q_lo, const Rational& q_hi, long lower,
+                               long upper) {
     collisions::Certificate certificate;
     certificate.system.section = collisions::Section::body;
     certificate.system.rho = rho;
@@ -25,10 +25,9 @@ collisions::Certificate bodies(const collisions::Range& rho, const Rational& q_l
 
 }  // namespace
 
-TEST_CASE("a map of bodies has a disc for each, a rectangle for a range, and hatches what is not decided") {
-    const std::string svg =
-        body_map_svg({bodies({1, 1}, 4, 4, 4, 4), bodies({Rational(1, 2), 1}, 9, 10, 5, 5),
-                      bodies({Rational(1, 2), Rational(1, 2)}, 9, 9, 4, 9)});
+TEST_CASE("a map of bodies has a disc for each, a strip for a range, and hatches what is not decided") {
+    const std::string svg = body_map_svg(
+        {bodies(1, 4, 4, 4, 4), bodies(Rational(1, 2), 9, 10, 5, 5), bodies(Rational(3, 4), 9, 9, 4, 9)});
     CHECK(well_formed(svg));
     CHECK(count_of(svg, "<circle class=\"n4\"") == 1);
     CHECK(count_of(svg, "<circle class=\"hatched\"") == 1);

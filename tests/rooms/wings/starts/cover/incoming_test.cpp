@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "attacks/oracle/simulate.hpp"
-#include "attacks/oracle/trial.hpp"
+#include "attacks/oracle/tangents.hpp"
 #include "catch.hpp"
 #include "rooms/verify/wings/starts/make_file.hpp"
 #include "rooms/wings/starts/box.hpp"
@@ -138,6 +138,18 @@ TEST_CASE("the maximum over all trajectories is known beyond the counts that a l
     }
     CHECK_FALSE(judge_falling(incoming_box(parse_rational("1e14"))).most);
     CHECK_FALSE(most_of_all(incoming_box(parse_rational("1e40"))));  // more than doubles count
+}
+
+TEST_CASE("L72, L84: what is said of all motions of a body is no less than its maximum by Theorem B") {
+    using dumbbell_oracle::Numbers;
+    const std::pair<Numbers, long> known[] = {{{1, 4}, 4},        {{1, 3}, 3},
+                                              {{0.5, 9}, 7},      {{0.5, 0.5}, 4},
+                                              {{0.28, 1e4}, 160}, {dumbbell_oracle::rod(5, 1e-3), 6}};
+    for (const auto& [n, most] : known) {
+        CAPTURE(n.rho, n.q);
+        CHECK(most_of_all(incoming_box(exact(n.q), exact(n.rho))) == most);
+        CHECK(static_cast<long>(dumbbell_oracle::TheoremB::of<long double>(n).maximum()) <= most);
+    }
 }
 
 TEST_CASE("no leaf says more than the maximum over all trajectories, and less than that is refused") {
