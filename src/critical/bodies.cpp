@@ -203,9 +203,20 @@ bool has_at_least(const Claim& body, long n, const Tie& tie, const Options& opti
     const auto counted =
         flight::Body<Big>::with_mass(enclose<Big>(rho_of(body)), Big(1) / enclose<Big>(inertia_of(body)));
     const Witness near = contact_near(body, tie, options);
-    const auto rays = contact_rays(enclose<Big>(near.e), enclose<Big>(near.eta), counted);
+    const Big e = enclose<Big>(near.e), eta = enclose<Big>(near.eta);
+    if (!certainly_positive(e) || !certainly_less(e, half_pi<Big>()) || !certainly_positive(eta)) {
+        return false;
+    }
+    const auto rays = contact_rays(e, eta, counted);
     const long forward = certain_count(rays.outgoing, counted, n - 1);
     return forward + certain_count(rays.reversed, counted, n - 1 - forward) >= n - 1;
+}
+
+/// The same where no tie is near.
+bool has_at_least(const Claim& body, long n, const Options& options) {
+    const PrecisionScope scope(256);
+    return body_bounds<Interval>().witness(body.range, n, body.system, options.interrupted) ||
+           body_bounds<Big>().witness(body.range, n, body.system, options.interrupted);
 }
 
 /// Of a step between `below` and n, whose ends seem to be these.
@@ -224,7 +235,8 @@ std::optional<Ratio> proved_near(const Rational& t, int digits, const Bodies& bo
         const Claim less = bodies.at(bodies.have_rods ? hi : lo),
                     more = bodies.at(bodies.have_rods ? lo : hi);
         if (shared_digits(lo, hi, options.digits) && has_at_most(less, step.below, tie, options) &&
-            has_at_least(more, step.n, tie, options)) {
+            has_at_least(more, step.n, tie, options) && has_at_least(less, step.below, options) &&
+            has_at_most(more, step.n, tie, options)) {
             return Ratio{
                 .n = step.n, .q_lo = lo, .q_hi = hi, .bits = PrecisionScope::current(), .below = step.below};
         }

@@ -20,14 +20,14 @@ struct Bodies {
     [[nodiscard]] long least() const { return number < 1 ? 3 : 2; }
 };
 
-/// The step to n with one rho: N < n iff Q <= Q_c, q_lo <= Q_c <= q_hi, because no motion has more than
-/// `below` < n collisions at q_lo, by the bound of its tangents (L82), and some motion has the enclosure's n
-/// or more, which is not less than this one, at q_hi, by a witness (L74). Nothing if interrupted, or if no
-/// precision proves so many digits. Precondition: n > least().
+/// The step to n with one rho: N < n iff Q <= Q_c, q_lo <= Q_c <= q_hi. N is `below` < n at q_lo, and at q_hi
+/// the enclosure's n, which may be greater than this one, each proved by a bound of the tangents (L82) and by
+/// a witness (L74). Nothing if interrupted, or if no precision proves so many digits. Precondition: n >
+/// least().
 [[nodiscard]] std::optional<Ratio> enclose_inertia(const Bodies& bodies, long n, const Options& options);
 
-/// Falls of N with the mass of the rod, each proved like that: from n or more at q_lo to `below` or less at
-/// q_hi. The last row has no ratio if what follows was not enclosed. The masses are tried by factors of 2.
+/// Falls of N with the mass of the rod, each proved like that: from n at q_lo to `below` at q_hi. The last
+/// row has no ratio if what follows was not enclosed. The masses are tried by factors of 2.
 [[nodiscard]] std::vector<Row> enclose_falls(const Bodies& bodies, const Options& options);
 
 }  // namespace dumbbell::critical

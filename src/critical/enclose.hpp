@@ -18,7 +18,7 @@ struct Ratio {
     Rational q_lo;
     Rational q_hi;   ///< equal to q_lo only for n = 3, q_c = 1
     int bits = 0;    ///< working precision
-    long below = 0;  ///< of bodies: N is at most that at the one end, and at least n at the other
+    long below = 0;  ///< of bodies: N at the one end, where it is n at the other
 };
 
 struct Row {

@@ -84,9 +84,9 @@ std::string foundation(const Bodies& bodies) {
                               "has for every greater Q\n(N does not decrease with Q: L83). There N steps "
                               "from one value to the other, within the radius.\n",
                               number)) +
-           "Both sides are proved as by dumbbell certify: one by tangents (Theorem B and L82 of "
-           "proofs/body.md), "
-           "one by\na motion.\n";
+           "At both ends of the enclosure N is proved, as by dumbbell certify: by tangents (Theorem B and "
+           "L82 "
+           "of\nproofs/body.md) and by a motion.\n";
 }
 
 std::string row_verdict(const Row& row, const Report& report) {
@@ -121,7 +121,7 @@ std::string single_text(const Report& report) {
     return text;
 }
 
-/// Of bodies: N at the least and at the greatest number of the enclosure, or what it is at most and at least.
+/// Of bodies: N at the least and at the greatest number of the enclosure.
 std::pair<long, long> values_beside(const Row& row, const Report& report) {
     if (!row.ratio) {
         return {};

@@ -168,7 +168,7 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
     // is well conditioned.
     const BigInterval flat = BigInterval(1) - kappa;  // where doubles no longer tell kappa from 1
     const BigInterval top = refined_top(
-        certainly_positive(flat) && flat.hi() < 0x1p-20 ? sqrt(flat + flat) : BigInterval(miss(slope).z),
+        certainly_positive(flat) && flat.hi() < 0x1p-40 ? sqrt(flat + flat) : BigInterval(miss(slope).z),
         kappa);
     const auto at = sin_cos(top);
     const BigInterval height = midpoint(at.sin - kappa * top - c);
