@@ -95,17 +95,12 @@ TEST_CASE("a range of bodies has parts, which join, and a missing one is named w
 
 TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2 they say so") {
     const TemporaryFolder folder;
-    const auto certify = [&](const char* rho, const char* inertia) {
-        return dumbbell({"certify", "--rho", rho, "--inertia", inertia, "--out", "range.dbc"}, folder.path());
-    };
-    CHECK(certify("0.6", "3:20").code == 0);
-    CHECK(verifier({"--rho", "0.6", "--inertia", "3:20", "--max", "6", "--min", "3", "--gap", "1e-6",
-                    "--gaps", "3", folder / "range.dbc"})
-              .code == 0);
-    const Outcome leaps = certify("0.25", "4:30");
+    const Outcome leaps =
+        dumbbell({"certify", "--rho", "0.25", "--inertia", "4:30", "--out", "range.dbc"}, folder.path());
     CHECK(leaps.code == 0);
-    CHECK_THAT(leaps.out, Contains("  3 to 5  ") && Contains("--inertia 4:30 --max 7 --min 3 range.dbc\n"));
-    CHECK(verifier({"--rho", "0.25", "--inertia", "4:30", "--max", "7", "--min", "3", folder / "range.dbc"})
+    CHECK_THAT(leaps.out, Contains("  3 to 5  ") && Contains("--inertia 4:30 --max 7 --min 3 --gap "));
+    CHECK(verifier({"--rho", "0.25", "--inertia", "4:30", "--max", "7", "--min", "3", "--gap", "1e-6",
+                    "--gaps", "2", folder / "range.dbc"})
               .code == 0);
 }
 
