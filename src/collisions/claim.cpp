@@ -178,7 +178,8 @@ bool fits_a_line(const Range& range) {
 std::optional<std::string> out_of_reach(const Claim& claim) {
     const auto& [q_lo, q_hi] = claim.range;
     constexpr int common = SectionRow{}.most_digits;
-    const int most = claim.range.is_single() || claim.system.rho ? row_of(claim.system.section).most_digits : common;
+    const int most =
+        claim.range.is_single() || claim.system.rho ? row_of(claim.system.section).most_digits : common;
     const bool far = most > common;
     if (!fits_a_line(claim.range)) {
         return fmt::format("{} is too long for a line of a certificate: write fewer digits",

@@ -24,7 +24,8 @@ constexpr Option table[] = {
     {"--exactly", "N", "both"},
     {"--gap", "REL",
      "demand the proof of the greatest number itself, at every ratio in question but in gaps of at most this "
-     "relative width, in which it is one of two neighbouring numbers (of bodies: two or three); gaps that touch are one"},
+     "relative width, in which it is one of two neighbouring numbers (of bodies: two or three); gaps that "
+     "touch are one"},
     {"--gaps", "N", "and that there are at most N of them"},
     {"--heavy-at-most", "1", "demand the proof that the heavy mass hits the floor at most once"},
     {"--inertia", "Q|LO:HI",
