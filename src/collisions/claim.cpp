@@ -66,18 +66,18 @@ std::string gap_text(const Rational& width) {
     return exact(bound) < 1 ? to_text(bound) : "";
 }
 
-/// As it is written: no number of a body changes into its inverse.
-Range parse_inertia(const std::string& text) {
+}  // namespace
+
+Range parse_inertia(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
-    const Rational lo = parse_number("--inertia", text.substr(0, colon));
-    const Rational hi = colon == std::string::npos ? lo : parse_number("--inertia", text.substr(colon + 1));
+    const Rational lo = parse_number(option, text.substr(0, colon));
+    const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
     if (lo == 0 || lo > hi) {
-        throw InputError("--inertia is a number greater than 0, or a range LO:HI, the smaller one first");
+        throw InputError(
+            fmt::format("{} is a number greater than 0, or a range LO:HI, the smaller one first", option));
     }
     return {lo, hi};
 }
-
-}  // namespace
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (rho.find(':') != std::string::npos) {
@@ -87,7 +87,7 @@ Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (height == 0 || height > 1) {
         throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
     }
-    return {.range = parse_inertia(inertia), .system = {Section::body, height}};
+    return {.range = parse_inertia("--inertia", inertia), .system = {Section::body, height}};
 }
 
 Claim by_plain_covers(Claim claim) {

@@ -23,6 +23,9 @@ struct Claim {
     std::optional<Rod> rod = {};  ///< if it was given so
 };
 
+/// Q of bodies, as it is written: it does not change into its inverse. Throws InputError, which names the
+/// option.
+[[nodiscard]] Range parse_inertia(const char* option, const std::string& text);
 /// Bodies with this rho, a number, and this inertia Q, a number or LO:HI, as a user writes them. Throws
 /// InputError, which names the option, if no body has them.
 [[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);
