@@ -38,7 +38,7 @@ class Tangents : Bridge<N> {
         const mpz_class n = 2 * leaf_.b + 3, room = (leaf_.claimed - 1) / 2 - leaf_.b - 1;
         return fact("J <= b", hits_at_most(along_bridge(), leaf_.b) ||
                                   (n <= most_in_corner && !corner_has(n, lowest, q))) &&
-               (leaf_.claimed % 2 == 0 || even_at_most(room) ||
+               (mpz_even_p(leaf_.claimed.get_mpz_t()) != 0 || even_at_most(room) ||
                 fact("ceil(pi/corner) <= 2 b + 1", n - 1 <= most_in_corner && !corner_has(n - 1, lowest, q)));
     }
 
@@ -94,7 +94,7 @@ class Tangents : Bridge<N> {
         Ray ray = along_bridge();
         N z = zero;
         for (mpz_class left = 2 * leaf_.b + 1; left > 0; --left) {
-            const Bounce done = bounce(ray, left % 2 != 0 ? I(1) : I(rho_lo, rho_hi), z);
+            const Bounce done = bounce(ray, mpz_odd_p(left.get_mpz_t()) != 0 ? I(1) : I(rho_lo, rho_hi), z);
             if (done == Bounce::undecided) return false;
             if (done != Bounce::returns) return fact("T = 0 <= a number", most >= 0);
         }
