@@ -257,12 +257,4 @@ long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long ca
     return cap + 1;
 }
 
-// Compiled once, in plain.cpp.
-extern template long plain_count(PlainRay<Interval>, const Body<Interval>&, long, const Interrupted&);
-extern template long plain_count(PlainRay<BigInterval>, const Body<BigInterval>&, long, const Interrupted&);
-extern template long plain_later_collisions(PlainDeparture<Interval>, const Body<Interval>&, long,
-                                            const Interrupted&);
-extern template long plain_later_collisions(PlainDeparture<BigInterval>, const Body<BigInterval>&, long,
-                                            const Interrupted&);
-
 }  // namespace dumbbell::flight
