@@ -94,10 +94,14 @@ Claim Bodies::at(const Rational& t) const {
 }
 
 std::optional<Ratio> enclose_inertia(const Bodies& bodies, long n, const Options& options) {
-    Ends far{power_of_half(60), 1};  // so little inertia has N = least()
+    Ends far{1, 1};
     auto most = guess_at(bodies, 1, options);
     for (; most && *most < n; most = guess_at(bodies, far.more, options)) {
         far.more *= 4;
+    }
+    for (most = guess_at(bodies, 1, options); most && *most >= n;
+         most = guess_at(bodies, far.less, options)) {
+        far.less /= 4;
     }
     return most ? enclose_between(bodies, n, far, options) : std::nullopt;
 }
