@@ -61,9 +61,8 @@ std::optional<Ratio> proved_near(const Ends& ends, long n, int digits, const Bod
     if (!first || !second) {
         return std::nullopt;
     }
-    const bool rises = first->lower < n && n <= second->lower, falls = second->lower < n && n <= first->lower;
-    const auto& [less, more] = rises ? std::pair(first, second) : std::pair(second, first);
-    return rises || (falls && bodies.have_rods)
+    const auto& [less, more] = bodies.have_rods ? std::pair(second, first) : std::pair(first, second);
+    return less->lower < n && n <= more->lower
                ? std::optional(Ratio{.n = as_long(more->lower),
                                      .q_lo = lo,
                                      .q_hi = hi,

@@ -43,10 +43,6 @@ const char* orbit_name(long n) {
 
 bool has_ratio(const Row& row) { return row.ratio.has_value(); }
 bool is_of_rods(const Report& report) { return report.request.bodies && report.request.bodies->have_rods; }
-long open_in(const Report& report) {
-    const long all = is_of_rods(report) ? static_cast<long>(report.rows.size()) : report.request.size();
-    return all - std::ranges::count_if(report.rows, has_ratio);
-}
 
 /// The N of the first row that was left out.
 std::optional<long> first_unreached(const Report& report) {
@@ -123,11 +119,8 @@ std::string single_text(const Report& report) {
 
 /// Of bodies: N at the least and at the greatest number of the enclosure.
 std::pair<long, long> values_beside(const Row& row, const Report& report) {
-    if (!row.ratio) {
-        return {};
-    }
-    const auto& [n, lo, hi, bits, below] = *row.ratio;
-    return is_of_rods(report) ? std::pair(n, below) : std::pair(below, n);
+    const Ratio ends = row.ratio.value_or(Ratio());
+    return is_of_rods(report) ? std::pair(ends.n, ends.below) : std::pair(ends.below, ends.n);
 }
 
 TableLine heading(const Report& report) {
@@ -233,6 +226,11 @@ std::string method(long first, long last) {
 }
 
 }  // namespace
+
+long open_in(const Report& report) {
+    const long all = is_of_rods(report) ? static_cast<long>(report.rows.size()) : report.request.size();
+    return all - std::ranges::count_if(report.rows, has_ratio);
+}
 
 std::string verdict(const Report& report) {
     std::string text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "flight/way_to_contact.hpp"
 #include "number/elementary.hpp"
@@ -82,12 +83,7 @@ std::optional<LastStep> last_step(double z, double c, double kappa) {
     return std::nullopt;
 }
 
-struct Guess {
-    LastStep step;
-    bool hits;
-};
-
-Guess guess(double c, double kappa, double start) {
+std::pair<LastStep, bool> guess(double c, double kappa, double start) {
     if (kappa < 1) {
         if (const auto step = last_step(start >= 0 ? start : first_point(c, kappa), c, kappa)) {
             return {*step, true};

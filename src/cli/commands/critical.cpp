@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <tuple>
 
@@ -102,11 +101,7 @@ std::optional<critical::Bodies> bodies_of(const Given& given) {
     if (!given.has("--rho")) {
         return std::nullopt;
     }
-    const Rational rho = parse_number("--rho", given.text("--rho"));
-    if (rho == 0 || rho > 1) {
-        throw InputError("--rho is d2/d1 with d1 >= d2: a number above 0, and at most 1");
-    }
-    return critical::Bodies{rho};
+    return critical::Bodies{*collisions::claim_of_body(given.text("--rho"), "1").system.rho};
 }
 
 /// Of bodies.
@@ -153,18 +148,15 @@ int run_critical(const Given& given) {
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
-    const auto finished =
-        std::ranges::count_if(report.rows, [](const critical::Row& row) { return row.ratio.has_value(); });
-    const bool have_rods = report.request.bodies && report.request.bodies->have_rods;
-    const long wanted = have_rods ? static_cast<long>(report.rows.size()) : report.request.size();
-    const bool all = finished == wanted;
-    if (!all && stop_signal != 0) {
+    const long open = open_in(report);
+    if (open > 0 && stop_signal != 0) {
+        const auto wanted = static_cast<long>(report.rows.size());
         return stopped(
-            finished == 0
+            open == wanted
                 ? "nothing is kept"
                 : fmt::format("nothing is kept of the {} critical ratios that were finished (of {}): "
                               "with --budget TIME what is finished in time is printed",
-                              finished, wanted));
+                              wanted - open, wanted));
     }
     if (output.is_wanted()) {
         report.out = output.file();
@@ -172,10 +164,10 @@ int run_critical(const Given& given) {
     }
     leave_out_unreached(report);
     fmt::print(output.report(), "{}", shown(report, given));
-    if (!all) {
+    if (open > 0) {
         complain("not everything was enclosed: allow more time (--budget)");
     }
-    return all ? exit_done : exit_not_certified;
+    return open > 0 ? exit_not_certified : exit_done;
 }
 
 }  // namespace

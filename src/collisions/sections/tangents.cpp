@@ -25,7 +25,7 @@ class Tangents {
     Tangents(const Rational& rho, const Rational& q, const Interrupted& interrupted)
         : rho_(enclose<I>(rho)), r_(enclose<I>(1 / q)), is_symmetric_(rho == 1), interrupted_(interrupted) {}
 
-    /// Upper bounds of f(e), of b(e), of J, each at most cap + 1 (L81, L82).
+    /// Upper bounds of f(e) and b(e), of k1 and J at e = 0, each at most cap + 1 (L81, L82).
     [[nodiscard]] long upward(const I& e, long cap) const {
         return is_symmetric_                     ? 0  // over the top all is as high as the peaks
                : certainly_less(e, half_pi<I>()) ? count(flight::tangent_upward(e, rho_, r_), cap)
@@ -34,37 +34,24 @@ class Tangents {
     [[nodiscard]] long into_valley(const I& e, long cap) const {
         return flight::valley_hits_at_most(flight::tangent_into_valley(e, rho_, r_), rho_, cap, interrupted_);
     }
-    [[nodiscard]] long corner(long cap) const {
-        return flight::valley_hits_at_most(along_bridge(), rho_, cap, interrupted_);
-    }
-    /// An upper bound of k1, and of T if J is `hits`.
-    [[nodiscard]] long from_corner(long cap) const { return count(upward_from_corner(low_end(rho_)), cap); }
+    /// The same of T if J is `hits`.
     [[nodiscard]] long even(long hits, long cap) const {
-        Ray<I> ray = along_bridge();
+        Ray<I> ray = flight::tangent_into_valley(I(0), rho_, r_);
         for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
             if (ends_early(bounces, interrupted_)) {
                 return cap + 1;
             }
-            switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_)) {
-                case Bounce::returns:
-                    break;
-                case Bounce::undecided:
-                    return cap + 1;
-                default:
-                    return 0;
+            const Bounce bounce = bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_);
+            if (bounce != Bounce::returns) {
+                return bounce == Bounce::undecided ? cap + 1 : 0;
             }
         }
-        return count(upward_from_corner(ray.kappa), cap);
+        return count({low_end(pi<I>() * ray.kappa), ray.kappa, low_end(r_)}, cap);
     }
 
   private:
     [[nodiscard]] long count(const Ray<I>& ray, long cap) const {
         return as_long(count_at_most(ray, cap, interrupted_));
-    }
-    /// The straight wedge's ray that runs along the bridge, and the one of a slope that leaves the corner.
-    [[nodiscard]] Ray<I> along_bridge() const { return {I(0), low_end(-rho_), low_end(r_)}; }
-    [[nodiscard]] Ray<I> upward_from_corner(const I& kappa) const {
-        return {low_end(pi<I>() * kappa), kappa, low_end(r_)};
     }
 
     I rho_, r_;
@@ -80,7 +67,7 @@ bool may_have_in_corner(long n, const Rational& rho, const Rational& q) {
 /// J from above, and exactly where the corner's count is not too long: beside a tie no precision tells it.
 template <class I>
 long corner_hits(const Tangents<I>& of, const Rational& rho, const Rational& q, long cap) {
-    const long hits = of.corner(cap);
+    const long hits = of.into_valley(I(0), cap);
     return may_have_in_corner(2 * hits + 1, rho, q) ? hits
                                                     : (flight::corner_count(rho, q, 2 * hits + 1) - 1) / 2;
 }
@@ -101,7 +88,7 @@ std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Inter
         return std::nullopt;
     }
     const bool at_corner = approximate(position.lo) == 0;
-    long down = at_corner ? of.corner(room) : of.into_valley(begin, room);
+    long down = of.into_valley(begin, room);
     if (down > room && (!at_corner || may_have_in_corner(2 * room + 3, rho, q))) {
         return std::nullopt;
     }
@@ -141,11 +128,9 @@ Best best_tangent(const Tangents<I>& of, long corner, long cap, long enough, con
         Rational lo, hi;
         long up_lo, down_lo, up_hi, down_hi;
     };
-    const long top_up = of.upward(I(2), cap), corner_up = of.from_corner(cap);
-    Best best{top_up, 0, quarter()};
-    if (corner + corner_up > best.total) {
-        best = {corner + corner_up, corner, least};
-    }
+    const long top_up = of.upward(I(2), cap), corner_up = of.upward(I(0), cap);
+    Best best =
+        corner + corner_up > top_up ? Best{corner + corner_up, corner, least} : Best{top_up, 0, quarter()};
     std::vector<Part> todo{{0, quarter(), corner_up, corner, top_up, 0}};
     while (!todo.empty() && best.total < enough && !interrupted()) {
         const Part part = std::move(todo.back());
@@ -171,13 +156,11 @@ long more_than_all(const Rational& q) {
     return static_cast<long>(2 * std::sqrt(q.convert_to<double>())) + 10;
 }
 
-const Rational& rho_of(const System& system) { return *system.rho; }
-
 template <class I>
 std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
-    const Rational& rho = rho_of(system);
+    const Rational& rho = *system.rho;
     const Tangents<I> of(rho, q, interrupted);
-    const long cap = more_than_all(q), corner = corner_hits(of, rho, q, cap), least = of.from_corner(cap),
+    const long cap = more_than_all(q), corner = corner_hits(of, rho, q, cap), least = of.upward(I(0), cap),
                even = 2 * corner + 2 + 2 * least,
                most = 1 + 2 * best_tangent(of, corner, cap, cap, interrupted).total;
     const bool is_even =
@@ -208,13 +191,11 @@ std::optional<Witness> contact(const Rational& e, const Rational& eta, const fli
                                             : std::nullopt;
 }
 
-Integer whole(const Rational& x) { return numerator(x) / denominator(x); }
-
 template <class I>
 std::optional<Witness> body_witness(const Range& range, const Count& wanted, const System& system,
                                     const Interrupted& interrupted) {
     const long target = as_long(wanted);
-    if (target <= most_in_corner && flight::corner_count(rho_of(system), range.lo, target) >= target) {
+    if (target <= most_in_corner && flight::corner_count(*system.rho, range.lo, target) >= target) {
         return Witness{0, 0, target - 1, 0, Place::corner};
     }
     return contact_of_body<I>(range, target, system, interrupted);
@@ -225,8 +206,8 @@ constexpr BoundSearch<I> body_bounds{body_maximum<I>, nullptr, nullptr, body_wit
 
 /// L72.
 std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, const System& system) {
-    const bool holds = rho_of(system) == 1 && flight::corner_count(1, range.hi, most_in_corner) <=
-                                                  std::min(upper, Count(most_in_corner));
+    const bool holds = *system.rho == 1 && flight::corner_count(1, range.hi, most_in_corner) <=
+                                               std::min(upper, Count(most_in_corner));
     return holds ? std::optional(Cover{.symmetric = true, .charts = {}}) : std::nullopt;
 }
 
@@ -240,7 +221,7 @@ constexpr std::array plain_body_charts{Chart::plain_contact, Chart::plain_depart
 template <class I>
 std::optional<Witness> contact_of_body(const Range& range, long target, const System& system,
                                        const Interrupted& interrupted) {
-    const Rational &q = range.lo, &rho = rho_of(system);
+    const Rational &q = range.lo, &rho = *system.rho;
     const Rational& greatest = system.section == Section::body ? q : range.hi;
     const Tangents<I> of(rho, q, interrupted);
     const auto body =
@@ -250,11 +231,11 @@ std::optional<Witness> contact_of_body(const Range& range, long target, const Sy
     const Rational last = best.hits > 0 ? last_place(of, best.e, best.hits) : quarter();
     const int depth = -std::ilogb(last.convert_to<double>());
     for (int places = 8; places < bits_of<I>() && !interrupted(); places += 4) {
-        const Rational step = power_of_half(places + depth), e = step * (whole(last / step) - 1);
-        if (auto found = contact(e, step * power_of_half(depth + 6), body, target)) {
-            return found;
-        }
-        if (auto found = contact(power_of_half(2 * places), power_of_half(places), body, target)) {
+        const Rational step = power_of_half(places + depth), steps = last / step,
+                       e = step * (numerator(steps) / denominator(steps) - 1);
+        auto found = contact(e, step * power_of_half(depth + 6), body, target);
+        found = found ? found : contact(power_of_half(2 * places), power_of_half(places), body, target);
+        if (found) {
             return found;
         }
     }
