@@ -81,7 +81,7 @@ Range parse_inertia(const char* option, const std::string& text) {
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (rho.find(':') != std::string::npos) {
-        throw InputError("--rho is one number: only --inertia takes a range LO:HI");
+        throw InputError("--rho is one number, not a range LO:HI");
     }
     const Rational height = parse_number("--rho", rho);
     if (height == 0 || height > 1) {
