@@ -71,15 +71,9 @@ std::vector<ProvedPiece> recalled_beginning(const CertifyRequest& request, const
     return recalled;
 }
 
-/// A planner's pieces to be proved next, and about how many follow them.
-struct Batch {
-    std::vector<PlannedPiece> pieces;
-    std::size_t beyond = 0;
-};
-
 /// Steps are looked for, and pieces proved between them, part by part: what is found in time is not lost.
 auto plan_steps(const CertifyRequest& request, const PieceOptions& options, const Rational& from) {
-    return [&, reached = from, looking = request.observer](const std::vector<ProvedPiece>&) mutable -> Batch {
+    return [&, reached = from, looking = request.observer](const std::vector<ProvedPiece>&) mutable -> Plan {
         const Range& range = request.claim.range;
         if (reached == range.hi) {
             return {};
@@ -90,7 +84,7 @@ auto plan_steps(const CertifyRequest& request, const PieceOptions& options, cons
         }
         looking = &nobody;
         reached = plan.pieces.back().q_hi;
-        return {std::move(plan.pieces), 2 * plan.steps_beyond};
+        return plan;
     };
 }
 
@@ -100,12 +94,12 @@ std::vector<ProvedPiece> prove_range(std::vector<ProvedPiece> pieces, Planner ne
                                      const CertifyRequest& request, PieceOptions options) {
     std::atomic<std::size_t> finished = pieces.size();
     std::vector<ProvedPiece> proved;
-    for (Batch batch = next(proved); !batch.pieces.empty(); batch = next(proved)) {
+    for (Plan batch = next(proved); !batch.pieces.empty(); batch = next(proved)) {
         std::ranges::move(proved, std::back_inserter(pieces));
         proved.assign(batch.pieces.size(), {});
         request.observer->enter("proving", "pieces");
         options.parallel = batch.pieces.size() < static_cast<std::size_t>(request.jobs);
-        const std::size_t total = finished + proved.size() + batch.beyond;
+        const std::size_t total = finished + proved.size() + 2 * batch.steps_beyond;
         in_parallel(proved.size(), [&](std::size_t i) {
             proved[i] = timed([&] { return prove_or_recall(batch.pieces[i], request, options); });
             request.observer->update(++finished, total, batch.pieces[i].upper);
@@ -124,7 +118,7 @@ std::vector<ProvedPiece> prove_range(const CertifyRequest& request, PieceOptions
     }
     options.max_nodes = std::min<std::size_t>(options.max_nodes, 1'000'000);  // before it is halved
     Halving halving(request.claim, request.store, options.interrupted);
-    const auto next = [&](std::vector<ProvedPiece>& proved) { return Batch{halving.next(proved)}; };
+    const auto next = [&](std::vector<ProvedPiece>& proved) { return Plan{halving.next(proved)}; };
     return prove_range({}, next, request, options);
 }
 

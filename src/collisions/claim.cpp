@@ -81,7 +81,7 @@ Range parse_range(const char* option, const std::string& text) {
 
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (rho.find(':') != std::string::npos) {
-        throw InputError("--rho is one number: only --inertia takes a range LO:HI");
+        throw InputError("--rho is one number, not a range LO:HI");
     }
     const Rational height = parse_number("--rho", rho);
     if (height == 0 || height > 1) {
@@ -178,7 +178,8 @@ bool fits_a_line(const Range& range) {
 std::optional<std::string> out_of_reach(const Claim& claim) {
     const auto& [q_lo, q_hi] = claim.range;
     constexpr int common = SectionRow{}.most_digits;
-    const int most = claim.range.is_single() ? row_of(claim.system.section).most_digits : common;
+    const int most =
+        claim.range.is_single() || claim.system.rho ? row_of(claim.system.section).most_digits : common;
     const bool far = most > common;
     if (!fits_a_line(claim.range)) {
         return fmt::format("{} is too long for a line of a certificate: write fewer digits",

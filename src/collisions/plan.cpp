@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "collisions/section.hpp"
@@ -35,14 +36,11 @@ long about(const SectionRow& row, const Rational& q) {
     return 2 + sqrt(numerator(square) / denominator(square)).convert_to<long>();
 }
 
-struct NearSteps {
-    std::vector<Step> steps;
-    std::size_t beyond = 0;  ///< that follow them, near the range, too
-};
-
-/// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances.
-NearSteps steps_near(const SectionRow& row, const Rational& lo, const Rational& hi, double gap,
-                     const Interrupted& interrupted, Observer& observer) {
+/// The first steps that seem to lie near [lo, hi], with a neighbour on either side for the distances, and how
+/// many follow them near the range, too.
+std::pair<std::vector<Step>, std::size_t> steps_near(const SectionRow& row, const Rational& lo,
+                                                     const Rational& hi, double gap,
+                                                     const Interrupted& interrupted, Observer& observer) {
     const long first = std::max(4L, about(row, lo) - 1);
     const long last = about(row, hi) + 2;
     if (last - first > max_steps) {

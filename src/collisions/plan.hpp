@@ -28,8 +28,8 @@ struct PlannedPiece {
 [[nodiscard]] std::string words_of(const PlannedPiece& planned);
 
 struct Plan {
-    std::vector<PlannedPiece> pieces;  ///< in ascending order, each beginning where the one before ends
-    std::size_t steps_beyond = 0;      ///< about how many steps follow the last piece; 0: it ends at q_hi
+    std::vector<PlannedPiece> pieces;  ///< of a staircase each begins where the one before ends
+    std::size_t steps_beyond = 0;      ///< about how many steps follow; 0: the last one ends at q_hi
 };
 
 /// At most so many steps are placed at a time, so that pieces can be proved while others are still unknown.

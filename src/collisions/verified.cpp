@@ -11,7 +11,8 @@ namespace dumbbell::collisions {
 
 std::optional<Claim> claim_in(const std::string& file) try {
     const ClaimedHead head = read_head(file);
-    const bool is_range = head.range.lo >= 1 && head.range.lo <= head.range.hi;
+    const bool is_range =
+        (head.system.rho ? head.range.lo > 0 : head.range.lo >= 1) && head.range.lo <= head.range.hi;
     return is_range ? std::optional(Claim{head.range, head.system}) : std::nullopt;
 } catch (const InputError&) {
     return std::nullopt;

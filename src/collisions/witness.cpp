@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "collisions/step_guess.hpp"
@@ -53,17 +54,12 @@ std::optional<std::array<flight::Ray<I>, 2>> highest_rays(const Rational& e, con
                       highest_over(bridge_reversed(at, steepness, range.r_lo), range)};
 }
 
-/// A place to look for a witness.
-struct Candidate {
-    Rational e;
-    Rational eta;
-};
-
-/// Those with steepness 2^-depth, the likeliest first. The greatest count belongs to contacts near two limits
-/// (Theorem 1), at which it is not attained itself: an odd one to those near the peak, an even one to those
-/// near the corner (2, of equal masses, near both). So the places approach them by powers of two: at a coarse
-/// one the count is too small, at a fine one the precision no longer tells.
-std::vector<Candidate> candidates(int depth, const Count& target) {
+/// Places (e, eta) with steepness 2^-depth to look for a witness, the likeliest first. The greatest count
+/// belongs to contacts near two limits (Theorem 1), at which it is not attained itself: an odd one to those
+/// near the peak, an even one to those near the corner (2, of equal masses, near both). So the places
+/// approach them by powers of two: at a coarse one the count is too small, at a fine one the precision no
+/// longer tells.
+std::vector<std::pair<Rational, Rational>> candidates(int depth, const Count& target) {
     const Rational eta = power_of_half(depth);
     if (target % 2 != 0 || target == 2) {
         return {{below_peak(depth), eta}};

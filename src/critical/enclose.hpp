@@ -16,8 +16,14 @@ namespace dumbbell::critical {
 struct Ratio {
     long n = 0;
     Rational q_lo;
-    Rational q_hi;  ///< equal to q_lo only for n = 3, q_c = 1
-    int bits = 0;   ///< working precision
+    Rational q_hi;   ///< equal to q_lo only for n = 3, q_c = 1
+    int bits = 0;    ///< working precision
+    long below = 0;  ///< of bodies: N at the one end, where it is n at the other
+};
+
+struct Row {
+    long n = 0;
+    std::optional<Ratio> ratio;  ///< nothing: not within the budget
 };
 
 struct Options {

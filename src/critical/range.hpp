@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/observer.hpp"
+#include "critical/bodies.hpp"
 #include "critical/enclose.hpp"
 #include "number/part.hpp"
 
@@ -22,6 +23,7 @@ struct Request {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
     long last = 3;
     std::optional<CountPart> part;  ///< where they are only that
+    std::optional<Bodies> bodies;   ///< whose steps they are instead; of rods all that are found
     int digits = 15;
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
@@ -30,15 +32,11 @@ struct Request {
     [[nodiscard]] long size() const { return last - first + 1; }
 };
 
-struct Row {
-    long n = 0;
-    std::optional<Ratio> ratio;  ///< nothing: not within the budget
-};
-
 /// Of parts that take about as long each. Throws InputError for a single ratio, and if a part would be empty.
 [[nodiscard]] Request part_of(const Part& part, long first, long last);
 
-/// One row per n, in order; the rows do not depend on the number of jobs. Throws BrokenInvariant if the
+/// One row per n, in order; the rows do not depend on the number of jobs. Of rods one per fall of N, from the
+/// lightest on, and one more without a ratio if not all were enclosed. Throws BrokenInvariant if the
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<Row> enclose_ratios(const Request& request);
 

@@ -10,6 +10,7 @@
 #include "flight/extremal_orbit.hpp"
 #include "flight/macro/when.hpp"
 #include "number/decimal.hpp"
+#include "words/printed.hpp"
 #include "words/text_table.hpp"
 
 namespace dumbbell::critical {
@@ -41,12 +42,12 @@ const char* orbit_name(long n) {
 }
 
 bool has_ratio(const Row& row) { return row.ratio.has_value(); }
-long enclosed_in(const Report& report) { return std::ranges::count_if(report.rows, has_ratio); }
+bool is_of_rods(const Report& report) { return report.request.bodies && report.request.bodies->have_rods; }
 
 /// The N of the first row that was left out.
 std::optional<long> first_unreached(const Report& report) {
-    const long last = report.rows.back().n;
-    return last < report.request.last ? std::optional(last + 1) : std::nullopt;
+    const bool all = is_of_rods(report) || report.rows.back().n == report.request.last;
+    return all ? std::nullopt : std::optional(report.rows.back().n + 1);
 }
 
 /// What the number is, in terms of the orbit, and what makes it the critical ratio.
@@ -66,12 +67,37 @@ std::string long_foundation(const std::string& beginning, const std::string& fli
                            flight);
 }
 
+/// Of bodies, with what is not known.
+std::string foundation(const Bodies& bodies) {
+    const std::string number = exact_text(bodies.number);
+    return (bodies.have_rods
+                ? fmt::format(
+                      "Proved: with ends of the ratio {} and a uniform rod of this mass (in units of that of "
+                      "both ends),\nN falls from one value to the other within the radius. That there are no "
+                      "other falls, and no rises, is open.\n",
+                      number)
+                : fmt::format("Proved: at rho {} no motion has N collisions if Q <= Q_c(N), and some motion "
+                              "has for every greater Q\n(N does not decrease with Q: L83). There N steps "
+                              "from one value to the other, within the radius.\n",
+                              number)) +
+           "At both ends of the enclosure N is proved, as by dumbbell certify: by tangents (Theorem B and "
+           "L82 "
+           "of\nproofs/body.md) and by a motion.\n";
+}
+
 std::string row_verdict(const Row& row, const Report& report) {
+    const auto& bodies = report.request.bodies;
+    const std::string name = !bodies ? fmt::format("q_c({})", row.n)
+                             : bodies->have_rods
+                                 ? fmt::format("The mass at which N falls from {}", row.n)
+                                 : fmt::format("Q_c({}; {})", row.n, exact_text(bodies->number));
     if (!row.ratio) {
-        return fmt::format("q_c({}) was not enclosed in the time allowed.\n", row.n);
+        return fmt::format("{} was not enclosed in the time allowed.\n", name);
     }
     const Number p = shown_number(*row.ratio, report.request.digits);
-    return fmt::format("q_c({}) = {}{}\n", row.n, p.value, p.exact ? "" : "...");
+    return fmt::format("{}{} = {}{}\n", name,
+                       is_of_rods(report) ? fmt::format(" to {}", row.ratio->below) : "", p.value,
+                       p.exact ? "" : "...");
 }
 
 std::string single_text(const Report& report) {
@@ -91,7 +117,17 @@ std::string single_text(const Report& report) {
     return text;
 }
 
-TableLine heading() { return {"N", "q_c", "radius", "bits", "orbit", "flight"}; }
+/// Of bodies: N at the least and at the greatest number of the enclosure.
+std::pair<long, long> values_beside(const Row& row, const Report& report) {
+    const Ratio ends = row.ratio.value_or(Ratio());
+    return is_of_rods(report) ? std::pair(ends.n, ends.below) : std::pair(ends.below, ends.n);
+}
+
+TableLine heading(const Report& report) {
+    return !report.request.bodies
+               ? TableLine{"N", "q_c", "radius", "bits", "orbit", "flight"}
+               : TableLine{"N", is_of_rods(report) ? "mass" : "Q_c", "radius", "bits", "from", "to"};
+}
 
 TableLine line_of(const Row& row, const Report& report, const char* more) {
     TableLine line{fmt::format("{}", row.n)};
@@ -102,12 +138,17 @@ TableLine line_of(const Row& row, const Report& report, const char* more) {
     } else {
         line.insert(line.end(), {"open", "-", "-"});
     }
-    line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", flight::tangent_flight(row.n).flight)});
+    if (!report.request.bodies) {
+        line.insert(line.end(), {orbit_name(row.n), fmt::format("{}", flight::tangent_flight(row.n).flight)});
+    } else {
+        const auto [from, to] = values_beside(row, report);
+        line.insert(line.end(), {fmt::format("{}", from), fmt::format("{}", to)});
+    }
     return line;
 }
 
 std::string table_text(const Report& report) {
-    std::vector<TableLine> lines{heading()};
+    std::vector<TableLine> lines{heading(report)};
     for (const Row& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
     }
@@ -115,18 +156,21 @@ std::string table_text(const Report& report) {
 }
 
 std::string range_text(const Report& report) {
-    const long enclosed = enclosed_in(report);
-    const long all = report.request.size();
+    const long enclosed = std::ranges::count_if(report.rows, has_ratio), open = open_in(report);
+    const long all = enclosed + open;
+    const auto& bodies = report.request.bodies;
     std::string text = table_text(report);
-    text += fmt::format("{} critical ratios in {:.2f} s with {} thread{}\n\n", all, report.seconds,
-                        report.request.jobs, report.request.jobs == 1 ? "" : "s");
-    if (enclosed < all) {
-        text += fmt::format("Not finished: {} of {} are open.\n", all - enclosed, all);
+    text += fmt::format("{} in {:.2f} s with {}\n\n", plural(all, bodies ? "step" : "critical ratio"),
+                        report.seconds, plural(report.request.jobs, "thread"));
+    if (open > 0) {
+        text += fmt::format("Not finished: {} of {} are open.\n", open, all);
         if (const auto n = first_unreached(report)) {
             text += fmt::format("Those from N = {} on are left out.\n", *n);
         }
     }
-    if (enclosed > 0) {
+    if (enclosed > 0 && bodies) {
+        text += foundation(*bodies) + "The digits are cut off, not rounded.\n";
+    } else if (enclosed > 0) {
         text +=
             "Proved: at q_c(N) the maximum steps from N - 1 to N.\n"
             "It is within the radius of the digits shown (cut off, not rounded).\n";
@@ -148,10 +192,12 @@ Json part_json(const CountPart& part) {
 constexpr int more_digits = 20;
 
 Json row_json(const Row& row, const Report& report) {
-    Json json = Json::object({{"n", row.n},
-                              {"orbit", orbit_name(row.n)},
-                              {"flight", flight::tangent_flight(row.n).flight},
-                              {"status", row.ratio ? "proved" : "open"}});
+    Json json = Json::object({{"n", row.n}});
+    if (!report.request.bodies) {
+        json.add("orbit", orbit_name(row.n));
+        json.add("flight", flight::tangent_flight(row.n).flight);
+    }
+    json.add("status", row.ratio ? "proved" : "open");
     if (row.ratio) {
         const Number p = shown_number(*row.ratio, report.request.digits);
         const int ends = report.request.digits + more_digits;
@@ -161,6 +207,11 @@ Json row_json(const Row& row, const Report& report) {
         json.add("lo", to_text(without_zeros(cut_down(row.ratio->q_lo, ends))));
         json.add("hi", to_text(without_zeros(cut_up(row.ratio->q_hi, ends))));
         json.add("bits", row.ratio->bits);
+        if (report.request.bodies) {
+            const auto [from, to] = values_beside(row, report);
+            json.add("from", from);
+            json.add("to", to);
+        }
     }
     return json;
 }
@@ -176,6 +227,11 @@ std::string method(long first, long last) {
 
 }  // namespace
 
+long open_in(const Report& report) {
+    const long all = is_of_rods(report) ? static_cast<long>(report.rows.size()) : report.request.size();
+    return all - std::ranges::count_if(report.rows, has_ratio);
+}
+
 std::string verdict(const Report& report) {
     std::string text;
     for (const Row& row : report.rows) {
@@ -186,12 +242,16 @@ std::string verdict(const Report& report) {
 
 void leave_out_unreached(Report& report) {
     auto& rows = report.rows;
+    if (is_of_rods(report)) {
+        return;
+    }
     const auto last = std::find_if(rows.rbegin(), rows.rend(), has_ratio);
     rows.resize(std::max(1L, static_cast<long>(rows.rend() - last)));
 }
 
 std::string to_text(const Report& report) {
-    std::string text = report.request.first == report.request.last ? single_text(report) : range_text(report);
+    const bool is_single = !report.request.bodies && report.request.first == report.request.last;
+    std::string text = is_single ? single_text(report) : range_text(report);
     if (const auto& part = report.request.part) {
         text += fmt::format("Part {} of {} of the critical ratios for N from {} to {}.\n", part->part.number,
                             part->part.of, part->first, part->last);
@@ -207,17 +267,23 @@ Json to_json(const Report& report) {
     for (const Row& row : report.rows) {
         ratios.add(row_json(row, report));
     }
-    return Json::object({{"schema", "dumbbell-critical-1"},
-                         {"method", method(report.request.first, report.request.last)},
-                         {"rests_on", "proofs/theorem.md, theorem 2"},
-                         {"digits", report.request.digits},
-                         {"part", report.request.part ? part_json(*report.request.part) : Json()},
-                         {"jobs", report.request.jobs},
-                         {"ratios", ratios},
-                         {"open", report.request.size() - enclosed_in(report)},
-                         {"left_out_from", first_unreached(report)},
-                         {"seconds", report.seconds},
-                         {"out", report.out}});
+    const auto& bodies = report.request.bodies;
+    const auto number_if = [&](bool holds) { return holds ? Json(exact_text(bodies->number)) : Json(); };
+    return Json::object(
+        {{"schema", "dumbbell-critical-1"},
+         {"method", bodies ? "bounds at both ends, by tangents and by a motion"
+                           : method(report.request.first, report.request.last)},
+         {"rests_on", bodies ? "proofs/body.md, L82 and L83" : "proofs/theorem.md, theorem 2"},
+         {"rho", number_if(bodies && !bodies->have_rods)},
+         {"rods_between", number_if(bodies && bodies->have_rods)},
+         {"digits", report.request.digits},
+         {"part", report.request.part ? part_json(*report.request.part) : Json()},
+         {"jobs", report.request.jobs},
+         {"ratios", ratios},
+         {"open", open_in(report)},
+         {"left_out_from", first_unreached(report)},
+         {"seconds", report.seconds},
+         {"out", report.out}});
 }
 
 std::string to_tsv(const Report& report) {
@@ -227,7 +293,14 @@ std::string to_tsv(const Report& report) {
         "off, not\n"
         "# rounded), and q_c lies within the radius of the number. This rests on theorem 2 of "
         "proofs/theorem.md.\n# ";
-    text += joined(heading());
+    if (const auto& bodies = report.request.bodies) {
+        text = "# Steps of bodies. " + foundation(*bodies);
+        for (std::size_t end = text.find('\n'); end + 1 < text.size(); end = text.find('\n', end + 1)) {
+            text.insert(end + 1, "# ");
+        }
+        text += "# ";
+    }
+    text += joined(heading(report));
     for (const Row& row : report.rows) {
         text += joined(line_of(row, report, ""));
     }

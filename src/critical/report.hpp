@@ -17,6 +17,9 @@ struct Report {
     std::optional<std::string> out;
 };
 
+/// How many are not enclosed.
+[[nodiscard]] long open_in(const Report& report);
+
 /// For people and in JSON: leaves out the rows behind the last finished one, but for the first: a range may
 /// be far too long for its budget.
 void leave_out_unreached(Report& report);

@@ -12,7 +12,8 @@
 namespace dumbbell::flight {
 
 /// A bound of the contact's corner distance x, with the sine and cosine that belong to it: for a lower bound
-/// sin_x is a lower and cos_x an upper bound, for an upper bound the other way round. All thin.
+/// sin_x is a lower and cos_x an upper bound, for an upper bound the other way round. All thin, but where it
+/// is said to enclose contacts.
 template <class I>
 struct Contact {
     I x;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "flight/way_to_contact.hpp"
 #include "number/elementary.hpp"
@@ -82,12 +83,7 @@ std::optional<LastStep> last_step(double z, double c, double kappa) {
     return std::nullopt;
 }
 
-struct Guess {
-    LastStep step;
-    bool hits;
-};
-
-Guess guess(double c, double kappa, double start) {
+std::pair<LastStep, bool> guess(double c, double kappa, double start) {
     if (kappa < 1) {
         if (const auto step = last_step(start >= 0 ? start : first_point(c, kappa), c, kappa)) {
             return {*step, true};
@@ -166,7 +162,10 @@ ContactGuess<BigInterval> guess_contact(const BigInterval& c, const BigInterval&
     }
     // Near a tangency double precision may err about whether there is a root: look at the top of g, where it
     // is well conditioned.
-    const BigInterval top = refined_top(BigInterval(miss(slope).z), kappa);
+    const BigInterval flat = BigInterval(1) - kappa;  // where doubles no longer tell kappa from 1
+    const BigInterval top = refined_top(
+        certainly_positive(flat) && flat.hi() < 0x1p-40 ? sqrt(flat + flat) : BigInterval(miss(slope).z),
+        kappa);
     const auto at = sin_cos(top);
     const BigInterval height = midpoint(at.sin - kappa * top - c);
     if (!certainly_positive(height)) {

@@ -66,27 +66,20 @@ I reflected_slope(const LightReflection<I>& out, const I& kappa, const I& w, con
     return intersection(intersection(plain, kappa_once), a_once);
 }
 
-/// The contacts of those rays that collide, and whether they may return; `x` in [0, pi/2].
+/// Encloses the contacts of those rays that collide, in [0, pi/2]; nothing if none does.
 template <class I>
-struct PlainContact {
-    I x;
-    I sin_x;
-    I cos_x;
-};
-
-template <class I>
-std::optional<PlainContact<I>> plain_contact(const PlainRay<I>& ray) {
+std::optional<Contact<I>> plain_contact(const PlainRay<I>& ray) {
     const auto least = lowest_contact(low_end(ray.c), low_end(ray.kappa));
     if (!least) {
         return std::nullopt;
     }
     const auto greatest = highest_contact(high_end(ray.c), high_end(ray.kappa), approximate(least->x));
     if (!greatest) {
-        return PlainContact<I>{hull(least->x, half_pi<I>()), hull(least->sin_x, I(1)),
-                               hull(max(I(0), low_end(ray.kappa)), least->cos_x)};
+        return Contact<I>{hull(least->x, half_pi<I>()), hull(least->sin_x, I(1)),
+                          hull(max(I(0), low_end(ray.kappa)), least->cos_x)};
     }
-    return PlainContact<I>{hull(least->x, greatest->x), hull(least->sin_x, greatest->sin_x),
-                           hull(greatest->cos_x, least->cos_x)};
+    return Contact<I>{hull(least->x, greatest->x), hull(least->sin_x, greatest->sin_x),
+                      hull(greatest->cos_x, least->cos_x)};
 }
 
 /// What becomes of rays to a light wall.
@@ -256,13 +249,5 @@ long plain_later_collisions(PlainDeparture<I> from, const Body<I>& body, long ca
     }
     return cap + 1;
 }
-
-// Compiled once, in plain.cpp.
-extern template long plain_count(PlainRay<Interval>, const Body<Interval>&, long, const Interrupted&);
-extern template long plain_count(PlainRay<BigInterval>, const Body<BigInterval>&, long, const Interrupted&);
-extern template long plain_later_collisions(PlainDeparture<Interval>, const Body<Interval>&, long,
-                                            const Interrupted&);
-extern template long plain_later_collisions(PlainDeparture<BigInterval>, const Body<BigInterval>&, long,
-                                            const Interrupted&);
 
 }  // namespace dumbbell::flight

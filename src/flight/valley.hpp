@@ -17,10 +17,8 @@ enum class Bounce { returns, leaves, misses, undecided };
 template <class I>
 Bounce bounce_from_below(Ray<I>& flight, const I& height) {
     const I kappa = low_end(flight.kappa / height);
-    if (certainly_at_most(I(1), kappa)) {
-        return Bounce::misses;
-    }
-    const auto contact = lowest_contact(low_end(flight.c / height), kappa);
+    const auto contact =
+        certainly_at_most(I(1), kappa) ? std::nullopt : lowest_contact(low_end(flight.c / height), kappa);
     if (!contact) {
         return Bounce::misses;
     }
@@ -57,23 +55,13 @@ Ray<I> tangent_upward(const I& e, const I& rho, const I& r) {
 template <class I>
 long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupted& interrupted) {
     for (long hits = 0; hits <= cap && !ends_early(hits, interrupted); ++hits) {
-        switch (bounce_from_below(flight, I(1))) {
-            case Bounce::undecided:
-                return cap + 1;
-            case Bounce::returns:
-                break;
-            default:
-                return hits;
+        const Bounce at_wall = bounce_from_below(flight, I(1));
+        const Bounce at_bridge = at_wall == Bounce::returns ? bounce_from_below(flight, rho) : Bounce::misses;
+        if (at_wall == Bounce::undecided || at_bridge == Bounce::undecided) {
+            break;
         }
-        switch (bounce_from_below(flight, rho)) {
-            case Bounce::undecided:
-                return cap + 1;
-            case Bounce::returns:
-                break;
-            case Bounce::misses:
-                return hits;
-            case Bounce::leaves:
-                return hits + 1;
+        if (at_bridge != Bounce::returns) {
+            return at_bridge == Bounce::leaves ? hits + 1 : hits;
         }
     }
     return cap + 1;
@@ -85,13 +73,12 @@ template <class I>
 long even_at_most(long hits, const I& rho, const I& r, long cap, const Interrupted& interrupted) {
     Ray<I> ray{I(0), low_end(-rho), low_end(r)};
     for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
-        switch (bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho)) {
-            case Bounce::returns:
-                break;
-            case Bounce::undecided:
-                return cap + 1;
-            default:
-                return 0;
+        if (ends_early(bounces, interrupted)) {
+            return cap + 1;
+        }
+        const Bounce bounce = bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho);
+        if (bounce != Bounce::returns) {
+            return bounce == Bounce::undecided ? cap + 1 : 0;
         }
     }
     return as_long(count_at_most<I>({low_end(pi<I>() * ray.kappa), ray.kappa, ray.r}, cap, interrupted));

@@ -16,7 +16,7 @@ import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
 const rangeText = ({ symbol, lo_text, hi_text }) => (lo_text === hi_text ? `${symbol} = ${shortened(lo_text)}` : `${symbol} from ${shortened(lo_text)} to ${shortened(hi_text)}`);
 
 const valueText = ({ status, upper, lower }) =>
-    status === "exact" ? `N = ${upper}` : status === "gap" ? `N = ${lower} or ${upper}` : upper === null ? `N \u2265 ${lower}` : `${lower} \u2264 N \u2264 ${upper}`;
+    status === "exact" ? `N = ${upper}` : upper - lower === 1 ? `N = ${lower} or ${upper}` : upper === null ? `N \u2265 ${lower}` : `${lower} \u2264 N \u2264 ${upper}`;
 
 function claimText(file) {
     const { pieces, symbol, ratio, where, lo_text, hi_text } = file;

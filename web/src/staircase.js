@@ -229,7 +229,7 @@ export class Staircase {
         const range = lo_text === hi_text ? `q = ${shortened(lo_text)}` : `q from ${shortened(lo_text)} to ${shortened(hi_text)}`;
         const value = {
             exact: `N(q) = ${upper}`,
-            gap: `N(q) is ${lower} or ${upper} (a gap around the step)`,
+            gap: `N(q) is ${lower} ${upper - lower > 1 ? "to" : "or"} ${upper} (a gap around the step)`,
             open: `N(q) is at least ${lower}${upper === null ? "" : ` and at most ${upper}`} (open)`,
         }[status];
         const q = this.scale.q(x);

@@ -6,22 +6,22 @@
 namespace dumbbell::cli {
 namespace {
 
-collisions::Claim rod_of(const Given& given) {
-    if (!given.has("RATIO")) {
+collisions::Claim rod_of(const Given& given, const std::optional<std::string>& line) {
+    if (!line && !given.has("RATIO")) {
         throw InputError("--rod-mass needs RATIO, the mass ratio of the two ends");
     }
-    const RatioArgument ratio = parse_ratio_argument(given.text("RATIO"));
+    const RatioArgument ratio = parse_ratio_argument(line ? *line : given.text("RATIO"));
     if (ratio.lo != ratio.hi) {
         throw InputError("--rod-mass is for a single mass ratio, not for a range");
     }
     return claim_of(collisions::Rod{ratio.lo, parse_number("--rod-mass", given.text("--rod-mass"))});
 }
 
-collisions::Claim given_numbers(const Given& given) {
-    if (!given.has("--rho") || !given.has("--inertia")) {
+collisions::Claim given_numbers(const Given& given, const std::optional<std::string>& line) {
+    if (!given.has("--rho") || (!line && !given.has("--inertia"))) {
         throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
     }
-    return collisions::claim_of_body(given.text("--rho"), given.text("--inertia"));
+    return collisions::claim_of_body(given.text("--rho"), line ? *line : given.text("--inertia"));
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ bool is_about_body(const Given& given) {
            given.text("--scene") == "body";
 }
 
-collisions::Claim body_claim(const Given& given) {
+collisions::Claim body_claim(const Given& given, const std::optional<std::string>& line) {
     const auto scene = given.has("--scene") ? given.text("--scene") : "body";
     if (scene != "body") {
         throw InputError("bodies are of --scene body");
@@ -40,8 +40,8 @@ collisions::Claim body_claim(const Given& given) {
         throw InputError("a body has a RATIO only with --rod-mass; else give --rho and --inertia, or --coin");
     }
     return given.has("--coin")       ? collisions::claim_of_body("1", "4")
-           : given.has("--rod-mass") ? rod_of(given)
-                                     : given_numbers(given);
+           : given.has("--rod-mass") ? rod_of(given, line)
+                                     : given_numbers(given, line);
 }
 
 }  // namespace dumbbell::cli

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 
 #include "cli/options/given.hpp"
 #include "collisions/claim.hpp"
@@ -25,8 +27,9 @@ inline constexpr std::array body_options{
 /// Whether an option says that the claim is about a body with mass between its contacts.
 [[nodiscard]] bool is_about_body(const Given& given);
 
-/// The claim about it, with the usual gap. Throws InputError if the options do not say, or say no body whose
-/// mass is between its contacts.
-[[nodiscard]] collisions::Claim body_claim(const Given& given);
+/// The claim about it, with the usual gap; of a list its line is RATIO with --rod-mass, and Q with --rho.
+/// Throws InputError if the options do not say, or say no body whose mass is between its contacts.
+[[nodiscard]] collisions::Claim body_claim(const Given& given,
+                                           const std::optional<std::string>& line = std::nullopt);
 
 }  // namespace dumbbell::cli

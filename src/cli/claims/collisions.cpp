@@ -21,9 +21,12 @@ collisions::Claim dumbbell_or_wedge(const Given& given, const RatioArgument& rat
 
 }  // namespace
 
-collisions::Claim claim_of(const Given& given, const std::optional<RatioArgument>& ratio) {
-    collisions::Claim claim = ratio ? dumbbell_or_wedge(given, *ratio) : body_claim(given);
-    if (!ratio && given.has("--section")) {
+collisions::Claim claim_of(const Given& given, const std::optional<std::string>& line) {
+    const bool body = is_about_body(given);
+    collisions::Claim claim =
+        body ? body_claim(given, line)
+             : dumbbell_or_wedge(given, parse_ratio_argument(line ? *line : given.text("RATIO")));
+    if (body && given.has("--section")) {
         if (given.text("--section") != "plain") {
             throw InputError("bodies are proved by their tangents, or by --section plain");
         }

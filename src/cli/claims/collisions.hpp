@@ -14,9 +14,7 @@ inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed 
 /// What `certify` is to prove of it.
 inline constexpr std::array claim_options{
     Option{"--scene", "dumbbell|hybrid|wedge|body",
-           "the system: dumbbell, the source paper's hybrid or straight wedge, or a rigid body with mass "
-           "between its two contacts",
-           "dumbbell"},
+           "the system: dumbbell, the source paper's hybrid or straight wedge, or a rigid body", "dumbbell"},
     Option{"--section", "turning|full|plain",
            "what is covered: turning (one collision of each trajectory), full (all collision states, counted "
            "forward), or plain (full, by interval evaluation alone)",
@@ -27,8 +25,8 @@ inline constexpr std::array claim_options{
 /// What is said first if the ratios were given below 1.
 inline constexpr const char* masses_are_swapped = "Ratios below 1: the masses are swapped, q -> 1/q.\n";
 
-/// The claim; of a body without a `ratio`. Throws InputError if the options contradict one another, or are
+/// The claim; of a list the one of a line. Throws InputError if the options contradict one another, or are
 /// out of reach.
-[[nodiscard]] collisions::Claim claim_of(const Given& given, const std::optional<RatioArgument>& ratio);
+[[nodiscard]] collisions::Claim claim_of(const Given& given, const std::optional<std::string>& line);
 
 }  // namespace dumbbell::cli

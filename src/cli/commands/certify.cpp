@@ -60,7 +60,7 @@ budget); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: the pieces kept are r
 
 constexpr std::array certify_topics{
     Topic{
-        "bodies", "Prove it of a rigid body with mass between its two contacts, or of a range of them.",
+        "bodies", "Prove it of a rigid body that touches the floor with two points, or of a range of them.",
         R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia. It moves in a vertical plane; in space nothing
 bounds a coin. proofs/body.md says what bodies are.
 
@@ -72,15 +72,17 @@ Examples:
     Topic{
         "lists", lists_text,
         R"(--out names a new folder, for the certificates. The same command goes on with the lines that have none yet; until all
-have one, dumbbell-verify refuses the folder's claims.tsv. --list does not go with --part, --witness or --quiet.
+have one, dumbbell-verify refuses the folder's claims.tsv. --list does not go with --part, --witness or --quiet. With
+--rho the lines are Q of bodies, with --rod-mass mass ratios of their ends; the table has Q.
 
-Example:
-  dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates)"}};
+Examples:
+  dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates
+  dumbbell certify --list inertias.txt --rho 1/2       each Q of a file)"}};
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
-    std::array{list_option.excludes("RATIO,--part,--witness,--quiet"), strict_option, part_option,
-               certificates_option, jobs_option,
+    std::array{list_option.excludes("RATIO,--coin,--inertia,--part,--witness,--quiet"), strict_option,
+               part_option, certificates_option, jobs_option,
                budget_option.saying("give up after this time: 30s, 10m, 2h"),
                flag("--witness",
                     "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
@@ -101,8 +103,8 @@ std::optional<collisions::RatioPart> part_of(const Given& given, const collision
 
 bool has_orbits(const CertifyRequest& request) { return row_of(request.claim.system.section).has_orbits; }
 
-CertifyRequest certify_request(const Given& given, const std::optional<RatioArgument>& ratio) {
-    CertifyRequest request{.claim = claim_of(given, ratio)};
+CertifyRequest certify_request(const Given& given, const std::optional<std::string>& line = std::nullopt) {
+    CertifyRequest request{.claim = claim_of(given, line)};
     if (given.has("--witness") && !has_orbits(request)) {
         throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
                                      row_of(request.claim.system.section).scene));
@@ -199,8 +201,8 @@ std::vector<ProvedPiece> kept_pieces(const CertifyRequest& request, const std::s
 }
 
 /// What is said of a line of --list.
-ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
-    CertifyRequest request = certify_request(given, ratio);
+ListAnswer certify_line(const Given& given, const std::string& line, const std::string& out) {
+    CertifyRequest request = certify_request(given, line);
     request.jobs = 1;
     request.describes = given.has("--json");
     const Stopwatch watch;
@@ -229,17 +231,16 @@ ListAnswer certify_line(const Given& given, const RatioArgument& ratio, const st
 int run_certify(const Given& given) {
     const bool body = is_about_body(given);
     if (given.has("--list")) {
-        if (body) {
-            throw InputError("--list is for mass ratios, not for a body");
+        // What is wrong with an option is no line's fault. This number every section takes.
+        const CertifyRequest request = certify_request(given, "1e12");
+        std::string options = options_of(request.claim);
+        for (const char* option : {"--rho", "--rod-mass"}) {
+            options += given.has(option) ? fmt::format(" {} {}", option, given.text(option)) : "";
         }
-        // What is wrong with an option is no line's fault.
-        const CertifyRequest request = certify_request(given, RatioArgument{1, 1});
         return answer_list(
             given,
-            [&](const RatioArgument& ratio, const std::string& out) {
-                return certify_line(given, ratio, out);
-            },
-            fmt::format("dumbbell {} certify --list{}", DUMBBELL_VERSION, options_of(request.claim)));
+            [&](const std::string& line, const std::string& out) { return certify_line(given, line, out); },
+            fmt::format("dumbbell {} certify --list{}", DUMBBELL_VERSION, options));
     }
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
@@ -248,8 +249,7 @@ int run_certify(const Given& given) {
     if (is_rectangle(given)) {
         return certify_rectangle(given);
     }
-    const auto ratio = body ? std::nullopt : std::optional(parse_ratio_argument(given.text("RATIO")));
-    CertifyRequest request = certify_request(given, ratio);  // before the output file is touched
+    CertifyRequest request = certify_request(given);  // before the output file is touched
     const auto part = part_of(given, request.claim);
     if (part) {
         request.claim.range = part->range;
@@ -282,8 +282,9 @@ int run_certify(const Given& given) {
     if (store && !open) {
         store->remove();
     }
+    const bool swapped = !body && parse_ratio_argument(given.text("RATIO")).swapped;
     fmt::print(output.report(), "{}",
-               json || quiet ? shown(report, given) : text_of(report, ratio && ratio->swapped, witness));
+               json || quiet ? shown(report, given) : text_of(report, swapped, witness));
     if (open) {
         complain(advice(request, pieces, kept));
     }

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <tuple>
 
@@ -15,6 +14,7 @@
 #include "critical/range.hpp"
 #include "critical/report.hpp"
 #include "number/count_argument.hpp"
+#include "number/ratio_argument.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::cli {
@@ -23,8 +23,8 @@ namespace {
 constexpr const char* critical_description =
     R"(Compute critical mass ratios, where the greatest number steps from N-1 to N.
 
-Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md. dumbbell certify does not use it:
-run it at a ratio on either side to compare.
+Every digit printed is proved. The enclosures rest on theorem 2 of proofs/theorem.md, those of bodies on Theorem B of
+proofs/body.md. dumbbell certify does not use theorem 2: run it at a ratio on either side to compare.
 
 Examples:
   dumbbell critical 4                                    q_c(4) = 4.60333884875170...
@@ -33,6 +33,8 @@ Examples:
   dumbbell critical 10^12 --digits 50                    a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
   dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
+  dumbbell critical 4:9 --rho 1/2                        of bodies with this rho: N or more collisions iff Q > Q_c(N)
+  dumbbell critical --ratio 10 --rod-mass                masses of the dumbbell's rod at which N falls
 
 Beyond N = 10^17: dumbbell law --count 1e50 encloses one critical ratio by the law for every mass ratio.)";
 
@@ -41,7 +43,12 @@ constexpr const char* critical_footer =
 SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
 constexpr std::array critical_options{
-    argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2").required(),
+    argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2"),
+    Option{"--rho", "RHO", "of rigid bodies with this d2/d1: the Q = (d1/k)^2 at which N steps"}.excludes(
+        "--part,--ratio"),
+    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N,--part"),
+    flag("--rod-mass", "the masses of its uniform rod, in units of that of both ends, at which N falls")
+        .needs("--ratio"),
     Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, critical::most_digits),
     part_option,
     Option{"--out", "FILE",
@@ -83,17 +90,55 @@ std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosit
     return enclose_ratios(request);
 }
 
+std::optional<critical::Bodies> bodies_of(const Given& given) {
+    if (given.has("--ratio")) {
+        const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
+        if (ratio.lo != ratio.hi) {
+            throw InputError("--ratio is a single mass ratio, not a range");
+        }
+        return critical::Bodies{ratio.lo, true};
+    }
+    if (!given.has("--rho")) {
+        return std::nullopt;
+    }
+    return critical::Bodies{*collisions::claim_of_body(given.text("--rho"), "1").system.rho};
+}
+
+/// Of bodies.
+void check_counts(const critical::Request& request) {
+    constexpr long most = 1'000'000;
+    const long least = request.bodies->least();
+    if (request.first <= least) {
+        throw InputError(fmt::format("at this rho every Q > 0 has {} collisions: the steps begin with N = {}",
+                                     least, least + 1));
+    }
+    if (request.last > most) {
+        throw InputError("of bodies N is at most 10^6: their orbits are followed collision by collision");
+    }
+}
+
 critical::Request critical_request(const Given& given) {
     critical::Request request;
+    const auto bodies = bodies_of(given);
+    if (given.has("N") == (bodies && bodies->have_rods)) {
+        throw InputError("critical needs N or N1:N2, or --ratio RATIO --rod-mass");
+    }
     const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
-    std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
+    if (given.has("N")) {
+        std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
+    }
     if (given.has("--part")) {
         request = critical::part_of(part, request.first, request.last);
     }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
-    check_time(request, given.has("--quiet"));
+    request.bodies = bodies;
+    if (!bodies) {
+        check_time(request, given.has("--quiet"));
+    } else if (!bodies->have_rods) {
+        check_counts(request);
+    }
     return request;
 }
 
@@ -103,17 +148,15 @@ int run_critical(const Given& given) {
     const Stopwatch watch;
     report.rows = enclose(report.request, verbosity_of(given));
     report.seconds = watch.seconds();
-    const auto finished =
-        std::ranges::count_if(report.rows, [](const critical::Row& row) { return row.ratio.has_value(); });
-    const long wanted = report.request.size();
-    const bool all = finished == wanted;
-    if (!all && stop_signal != 0) {
+    const long open = open_in(report);
+    if (open > 0 && stop_signal != 0) {
+        const auto wanted = static_cast<long>(report.rows.size());
         return stopped(
-            finished == 0
+            open == wanted
                 ? "nothing is kept"
                 : fmt::format("nothing is kept of the {} critical ratios that were finished (of {}): "
                               "with --budget TIME what is finished in time is printed",
-                              finished, wanted));
+                              wanted - open, wanted));
     }
     if (output.is_wanted()) {
         report.out = output.file();
@@ -121,10 +164,10 @@ int run_critical(const Given& given) {
     }
     leave_out_unreached(report);
     fmt::print(output.report(), "{}", shown(report, given));
-    if (!all) {
+    if (open > 0) {
         complain("not everything was enclosed: allow more time (--budget)");
     }
-    return all ? exit_done : exit_not_certified;
+    return open > 0 ? exit_not_certified : exit_done;
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ constexpr std::array join_options{
     Option{"--out", "FILE", "write the whole to FILE (FILE.gz: compressed); -: the standard output"}
         .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
         .required(),
-    Option{"--range", "LO:HI", "what the parts must make together: mass ratios, or N1:N2 of tables"}
+    Option{"--range", "LO:HI",
+           "what the parts must make together: mass ratios, Q of bodies, or N1:N2 of tables"}
         .required(),
     Option{"--gap", "REL",
            "the --gap of the parts, for the commands that make certificates again; default: their widest"},
@@ -115,7 +116,7 @@ int run_join(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
     const auto parts = parts_of(given);
     require_name_of(given.text("--out"), parts->content());
-    const Range whole = parts->parse_range(given.text("--range"));
+    const Range whole = parts->parse_range(given.text("--range"), names.front());
     const Output output(given.text("--out"), names, given.has("--json") ? "--json" : nullptr);
     auto files = taken(*parts, names, jobs_of(given), verbosity_of(given));
     if (stop_signal != 0) {

@@ -53,7 +53,12 @@ class CertificateParts : public Parts {
         return render(Certificate{.pieces = {}, .system = one.system}, pieces);
     }
 
-    [[nodiscard]] Range parse_range(const std::string& text) const override {
+    [[nodiscard]] Range parse_range(const std::string& text, const std::string& part) const override {
+        const auto claim = collisions::claim_in(part);
+        if (claim && claim->system.rho) {
+            const collisions::Range inertia = collisions::parse_range("--range", text);
+            return {inertia.lo, inertia.hi};
+        }
         const RatioArgument ratio = parse_ratio_argument(text);
         return {ratio.lo, ratio.hi};
     }

@@ -44,7 +44,7 @@ class Parts {
     [[nodiscard]] virtual SealedText join(const std::vector<PartFile>& files) = 0;
 
     /// What --range says. Throws InputError.
-    [[nodiscard]] virtual Range parse_range(const std::string& text) const = 0;
+    [[nodiscard]] virtual Range parse_range(const std::string& text, const std::string& part) const = 0;
     [[nodiscard]] virtual std::string first(const Range& range) const = 0;
     [[nodiscard]] virtual std::string last(const Range& range) const = 0;
     /// They are about.

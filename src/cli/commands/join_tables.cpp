@@ -49,7 +49,7 @@ class TableParts : public Parts {
         return {text, sha256_hex(text)};
     }
 
-    [[nodiscard]] Range parse_range(const std::string& text) const override {
+    [[nodiscard]] Range parse_range(const std::string& text, const std::string& /*part*/) const override {
         constexpr long any_number = greatest_count;
         const auto [first, last] = parse_counts(text, any_number);
         return {first, last + 1};

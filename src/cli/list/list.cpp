@@ -203,7 +203,7 @@ Answered ListRun::answered(Line line) const {
     Answered done{std::move(line), {}};
     try {
         if (done.line.fault.empty()) {
-            done.answer = answer_(parse_ratio_argument(done.line.given), folder_.file(done.line.number));
+            done.answer = answer_(done.line.given, folder_.file(done.line.number));
         }
     } catch (const InputError& error) {
         done.line.fault = error.what();

@@ -45,9 +45,9 @@ struct ListAnswer {
     std::string claim{};        ///< that it proves, as options of the verifier; only if `is_decided`
 };
 
-/// Answers one line, on any thread, and on it alone. `out`: the name under which the certificate will be
-/// kept; empty: none is wanted. An InputError is that of the line.
-using AnswerLine = std::function<ListAnswer(const RatioArgument& ratio, const std::string& out)>;
+/// Answers one line, of which `number` is the first column, on any thread, and on it alone. `out`: the name
+/// under which the certificate will be kept; empty: none is wanted. An InputError is that of the line.
+using AnswerLine = std::function<ListAnswer(const std::string& number, const std::string& out)>;
 
 /// Answers the lines of --list on --jobs threads, and prints what is said in their order, as it comes.
 /// Returns the exit code: that of a bad line if there is one, else that of one that is not decided. Throws

@@ -76,7 +76,7 @@ template <std::size_t... n>
 }
 
 /// What only some users of a command need, by options that belong to it. It has a help of its own: --help
-/// NAME. Options of different topics exclude each other.
+/// NAME.
 struct Topic {
     std::string_view name;
     std::string_view text;      ///< paragraphs

@@ -44,11 +44,9 @@ std::string meant(std::string_view word, const std::vector<std::string_view>& na
                                                                 : "";
 }
 
-/// Options of different topics exclude each other, whatever the table says of them.
 bool excludes(const Option& option, const Option& other) {
     const auto excluded = split(option.excluded, ',');
-    const bool are_apart = !option.topic.empty() && !other.topic.empty() && option.topic != other.topic;
-    return are_apart || std::ranges::find(excluded, other.name) != excluded.end();
+    return std::ranges::find(excluded, other.name) != excluded.end();
 }
 
 }  // namespace

@@ -22,6 +22,10 @@ inline Big newton_tolerance(const Big&) {
     return Big::rounded(down, mpfr_set_ui_2exp, 1UL, -Big::precision / 2 - 8);
 }
 
+/// Next to a double root each step but the last ones gains one bit.
+inline long most_steps(double) { return 40; }
+inline long most_steps(const Big&) { return std::max<long>(40, Big::precision); }
+
 /// For z in [0, 2].
 template <class N>
 SinCos<N> guess_sin_cos(const N& z) {

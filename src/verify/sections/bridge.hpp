@@ -43,10 +43,10 @@ class Bridge : protected Rays<N> {
     }
 
     /// Near the least root of sin t = c + k t in (0, pi) by Newton's iteration, which comes from the left; or
-    /// none. Next to a tangency each step but the last ones only halves the way.
+    /// none.
     [[nodiscard]] std::optional<N> guess_crossing(const N& c, const N& k) const {
         N t(0);
-        for (int i = 0; i < 1000; ++i) {
+        for (long i = 0; i < most_steps(t); ++i) {
             const auto [s, w] = guess_sin_cos(t);
             const N p = w - k;
             if (!(p > N(0))) return std::nullopt;

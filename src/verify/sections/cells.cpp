@@ -57,7 +57,7 @@ class CellRule : Valley<N> {
                 return false;
         }
         return fact("ceil(pi/corner) <= 2 x at (R1, B)", !may_have(2 * end + 1, R1, B)) &&
-               (cell_.upper % 2 == 0 || !may_have(2 * end, R1, B) ||
+               (mpz_even_p(cell_.upper.get_mpz_t()) != 0 || !may_have(2 * end, R1, B) ||
                 Base::even_at_most(end - 1, rho1, r_top, half - end));
     }
     bool orbit_at_most(const mpz_class& j, const mpq_class& p, const mpz_class& most) {
@@ -78,7 +78,7 @@ class CellRule : Valley<N> {
         if (j == 0)
             return V <= most_in_corner && corner_has(V, R0, A)
                        ? fact("V <= ceil(pi/corner) at (R0, A)", true)
-                       : (V % 2 != 0 ? Base::at_least("k0 >= (V - 1)/2", {rho1.hi, zero, r_bottom}, rest)
+                       : (mpz_odd_p(V.get_mpz_t()) != 0 ? Base::at_least("k0 >= (V - 1)/2", {rho1.hi, zero, r_bottom}, rest)
                                      : through_corner(rest - 1));
         Ray ray;
         return fact("2 j + 1 <= ceil(pi/corner) at (R0, A)",

@@ -41,7 +41,7 @@ class Tangents : Valley<N> {
         const mpz_class n = 2 * leaf_.b + 3, room = (leaf_.claimed - 1) / 2 - leaf_.b - 1;
         return fact("J <= b", hits_at_most(Base::along_bridge(rho, r), rho, leaf_.b) ||
                                   (n <= most_in_corner && !corner_has(n, lowest, q))) &&
-               (leaf_.claimed % 2 == 0 || Base::even_at_most(leaf_.b, rho, r, room) ||
+               (mpz_even_p(leaf_.claimed.get_mpz_t()) != 0 || Base::even_at_most(leaf_.b, rho, r, room) ||
                 fact("ceil(pi/corner) <= 2 b + 1", n - 1 <= most_in_corner && !corner_has(n - 1, lowest, q)));
     }
 

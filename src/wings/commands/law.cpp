@@ -138,8 +138,8 @@ int answer_at_ratio(const Given& given) {
 int answer_at_ratios(const Given& given) {
     const std::string file = certificate_of_answers();
     const auto steps = law::read_steps(file);
-    return answer_list(given, [&](const RatioArgument& ratio, const std::string& /*out*/) {
-        const law::AtRatio at = law_at_one("the law", ratio, steps);
+    return answer_list(given, [&](const std::string& ratio, const std::string& /*out*/) {
+        const law::AtRatio at = law_at_one("the law", parse_ratio_argument(ratio), steps);
         return ListAnswer{.rows = {{at.q, at.q, Count(at.lower), Count(at.upper)}},
                           .is_decided = at.lower == at.upper,
                           .json = given.has("--json") ? to_json(law::Answer{at, file}) : Json()};

@@ -57,9 +57,9 @@ Example:
 constexpr const char* body_picture_description =
     R"(The plane of all rigid bodies, and the proved maximum of those of the certificates.
 
-Each certificate by dumbbell certify --scene body is a disc, or a strip of bodies of one rho, coloured by its maximum; what is
-not decided is hatched. The massless rods (Q rho = 1), rods of growing mass, the ring, the uniform rod and the coin are
-marked. Bodies move in a plane; proofs/body.md says what rho and Q are.
+Each certificate of bodies is a disc, or a strip of bodies of one rho, coloured by its maximum; what is not decided is
+hatched. The massless rods (Q rho = 1), rods of growing mass, the ring, the uniform rod and the coin are marked.
+Bodies move in a plane; proofs/body.md says what rho and Q are.
 
 Example:
   dumbbell certify --coin --out coin.dbc

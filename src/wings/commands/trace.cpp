@@ -80,7 +80,7 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 constexpr std::array start_options{
     ratio_option,
     Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body", "dumbbell"},
-    list_option.excludes("RATIO,--quiet"),
+    list_option.excludes("RATIO,--quiet,--coin,--rho,--inertia,--rod-mass"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
     quantity_option("--phidot", "its velocity (radians)"),
@@ -280,8 +280,8 @@ ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std:
 int run_trace(const Given& given) {
     require_start(given);
     if (given.has("--list") && !is_about_body(given)) {
-        return answer_list(given, [&](const RatioArgument& ratio, const std::string& out) {
-            return trace_line(given, ratio, out);
+        return answer_list(given, [&](const std::string& ratio, const std::string& out) {
+            return trace_line(given, parse_ratio_argument(ratio), out);
         });
     }
     const System system = system_of(given);

@@ -54,11 +54,7 @@ class Valley:
             if ray is None:
                 return True
             hit, ray = self.bounce(1, *ray)
-            if not hit:
-                return True
-            if hits == most:
-                return False
-            if ray is None:
+            if not hit or (ray is None and hits < most):
                 return True
         return False
 

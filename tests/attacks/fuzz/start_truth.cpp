@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "target.hpp"
 
@@ -16,8 +17,13 @@ std::optional<Run> simulated(const Start& start) {
     const bool in_the_air =
         body.height(Mass::light, state) > least && body.height(Mass::heavy, state) > least;
     if (!in_the_air || (std::abs(phidot) < least && std::abs(ydot) < least)) return std::nullopt;
-    Run run = dumbbell_oracle::simulate(body, state);
-    return run.care.doubtful() ? std::nullopt : std::optional(std::move(run));
+    constexpr std::size_t limit = 100'000;
+    try {
+        Run run = dumbbell_oracle::simulate(body, state, Mass::none, limit);
+        return run.care.doubtful() ? std::nullopt : std::optional(std::move(run));
+    } catch (const std::runtime_error&) {  // in a corner long double may bounce for ever
+        return std::nullopt;
+    }
 }
 
 void must_be_between(const Run& run, std::uint64_t least, const std::optional<std::uint64_t>& most,

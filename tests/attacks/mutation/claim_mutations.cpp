@@ -112,8 +112,9 @@ class Claims {
                     p.cover = {};
                     for (const Chart chart : row_of(data_.system.section).charts) {
                         p.cover.charts.push_back({chart, {}});
-                        best_tree(chart, root_box(chart, p.q_lo, p.q_hi), *p.upper, depth,
-                                  p.cover.charts.back().tree);
+                        Box root = root_box(chart, p.q_lo, p.q_hi);
+                        root.rho = data_.system.rho.value_or(0);
+                        best_tree(chart, root, *p.upper, depth, p.cover.charts.back().tree);
                     }
                 });
         change(i, "lemma L7", "instead of the cover",

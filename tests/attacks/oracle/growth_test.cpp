@@ -1,8 +1,10 @@
-// proofs/theorem.md, L31, L32 and Theorem 4: how the maximum grows.
+// L31, L32 and Theorem 4 of proofs/theorem.md and L89 of proofs/growth.md: how the maximum grows.
 #include <algorithm>
 
 #include "catch.hpp"
 #include "extremal.hpp"
+#include "law.hpp"
+#include "tangents.hpp"
 #include "trial.hpp"
 
 using namespace dumbbell_oracle;
@@ -16,16 +18,19 @@ S wedge_angle(const S& ratio) {  // gamma
     return S(2 * atan(1 / sqrt(ratio)));
 }
 
-// integral of sin((pi/2) / cos theta) from 0 to pi/3, by Simpson's rule.
-Real size_constant() {
-    const int parts = 2'000;
-    const Real width = pi<Real>() / 3 / parts;
-    const auto f = [](int i, Real h) {
-        return std::sin(pi<Real>() / 2 / std::cos(static_cast<Real>(i) * h));
-    };
-    Real sum = f(0, width) + f(parts, width);
-    for (int i = 1; i < parts; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(i, width);
-    return sum * width / 3;
+// V of L89 at the angle theta0: an integral of the change of the height by the valley's width there.
+Real in_valley(Real rho, Real c, Real theta0) {
+    return 2 * law::integral<Real>(
+                   [&](Real theta) {
+                       Real lo = 0, hi = pi<Real>() / 2;
+                       for (int i = 0; i < 60; ++i) {
+                           const Real t = (lo + hi) / 2;
+                           (t + std::asin(rho * std::sin(t)) < c / std::cos(theta) ? lo : hi) = t;
+                       }
+                       const Real steepness = rho * std::cos(lo), height = rho * std::sin(lo);
+                       return steepness / (1 + steepness / std::sqrt(1 - height * height));
+                   },
+                   0, theta0);
 }
 
 }  // namespace
@@ -76,7 +81,7 @@ TEST_CASE("L32: (pi + 2 x) cos theta is nearly constant along the first orbit") 
 }
 
 TEST_CASE("theorem 4: N* / sqrt q tends to C = 0.8855951...") {
-    const Real c = size_constant();
+    const Real c = law::tau_by_angle<Real>(0, pi<Real>() / 2);
     CHECK(close(c, 0.8855951L, 1e-7L));
     for (const Real ratio : {1e4L, 1e5L, 1e6L, 1e7L, 1e8L, 1e9L}) {
         const Real root = std::sqrt(ratio);
@@ -85,5 +90,20 @@ TEST_CASE("theorem 4: N* / sqrt q tends to C = 0.8855951...") {
         CHECK(std::abs(2 * static_cast<Real>(k0) - c * root) < 2);
         CHECK(std::abs(2 * static_cast<Real>(k1) - c * root) < 2);
         CHECK(std::abs(static_cast<Real>(2 + k0 + k1) / root - c) < 4 / root);
+    }
+}
+
+TEST_CASE("L89: for large Q the tangents' counts are near U and V, and their sum is greatest at an end") {
+    Sampler sampler(1, 8901);
+    for (int i = 0; i < scaled(40); ++i) {
+        const Real rho = sampler.uniform(0.02, 0.99), widest = pi<Real>() / 2 + std::asin(rho),
+                   theta0 = sampler.uniform(0.05, 1.5), c = widest * std::cos(theta0);
+        const Real u = law::tau_by_angle(theta0, c), v = in_valley(rho, c, theta0);
+        CAPTURE(rho, theta0, u, v);
+        CHECK(u + v < std::max(law::tau_by_angle<Real>(0, widest), pi<Real>() * rho / (1 + rho)));
+        const TwoTangents<Real> tangents({static_cast<double>(rho), 1e8});
+        const Real e = std::acos(std::tan(theta0) / (rho * 1e4L));
+        CHECK(close(2e-4L * static_cast<Real>(tangents.f(e)), u, 1e-3L));
+        CHECK(close(2e-4L * static_cast<Real>(tangents.b(e)), v, 0.015L));
     }
 }

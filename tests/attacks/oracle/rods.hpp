@@ -39,9 +39,6 @@ template <class S>
     return {rho, d1 * d1 / (d1 * d1 * rho - mu / (6 * (1 + mu)))};
 }
 
-// pi / (2 atan(1/sqrt(Q))) is n.
-[[nodiscard]] inline double tie(double n) { return 1 / std::pow(std::tan(half_turn / 2 / n), 2); }
-
 // On the floor just after a collision, at the corner distance e of the right corner: to its right the light
 // end stands there, to its left the heavy one. The velocity has this angle in the metric of the kinetic
 // energy.

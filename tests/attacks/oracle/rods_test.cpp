@@ -7,29 +7,14 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "extremal.hpp"
 
 using namespace dumbbell_oracle;
 
 namespace {
 
-Numbers random_numbers(Sampler& sampler, bool symmetric) {
-    const double rho = symmetric        ? 1
-                       : sampler.coin() ? sampler.log_uniform(0.03, 1)
-                                        : sampler.uniform(0.3, 1);
+Numbers random_numbers(Sampler& sampler) {
+    const double rho = sampler.coin() ? sampler.log_uniform(0.03, 1) : sampler.uniform(0.3, 1);
     return {rho, (sampler.coin() ? 1 + sampler.log_uniform(1e-4, 1) : sampler.log_uniform(1, 30)) / rho};
-}
-
-// Rods with a little mass (L84 (c)), beyond q_c(4) or just below a tie: where random bodies do not come.
-Numbers extremal_numbers(Sampler& sampler) {
-    const double below = tie(std::round(sampler.uniform(3, 9))) * (1 - sampler.log_uniform(1e-6, 1e-2));
-    return rod(sampler.coin() ? below : sampler.uniform(4.6034, 5.82), sampler.log_uniform(1e-7, 1e-1));
-}
-
-// Off the heavy end close to the corner, above its tangent by this part of the angle that the corner lacks.
-Spot out_of_corner(const Numbers& n, double e, double part) {
-    const double lacks = half_turn / 2 - n.corner();
-    return {Mass::heavy, e, half_turn - std::atan(n.rho * std::sqrt(n.q)) - part * lacks};
 }
 
 // The slope d yhat / |d psi| (yhat = y, as d1 = 1).
@@ -60,7 +45,7 @@ TEST_CASE("L71: after a contact with the bridge a ray goes on by E and P, wherev
     Sampler sampler(1, 7002);
     int back = 0, again = 0;
     for (int i = 0; i < scaled(5'000); ++i) {
-        const Numbers n = random_numbers(sampler, false);
+        const Numbers n = random_numbers(sampler);
         const auto body = n.body<long double>();
         const double t = sampler.uniform(0, half_turn), s = std::cos(t);
         const double kappa = n.rho * s - sampler.log_uniform(1e-3, 3), g = 1 / (n.q * n.rho);
@@ -82,7 +67,7 @@ TEST_CASE("L71: after a contact with the bridge a ray goes on by E and P, wherev
 TEST_CASE("L74: the two rays of a contact with the bridge") {
     Sampler sampler(1, 7003);
     for (int i = 0; i < scaled(2'000); ++i) {
-        const Numbers n = random_numbers(sampler, false);
+        const Numbers n = random_numbers(sampler);
         const auto body = n.body<long double>();
         const double e = sampler.uniform(0, half_turn / 2), s = std::cos(e),
                      eta = sampler.log_uniform(1e-6, 5);
@@ -93,56 +78,5 @@ TEST_CASE("L74: the two rays of a contact with the bridge") {
         const double steep = eta * (1 + big * s * s) / (1 + big * s * s + 2 * big * s * eta);
         CHECK(reverse.phidot > 0);
         CHECK(steepness_of(reverse) == Approx(n.rho * (steep - s)).epsilon(1e-9).margin(1e-12));
-    }
-}
-
-TEST_CASE(
-    "L72, L84: a symmetric body never has more collisions than its corner, ties too, and others at most two "
-    "more than the wedge of the higher humps") {
-    Sampler sampler(1, 7004);
-    int tight = 0, beyond = 0;
-    for (int i = 0; i < scaled(20'000); ++i) {
-        const bool symmetric = sampler.coin();
-        Numbers n = random_numbers(sampler, symmetric);
-        if (symmetric && sampler.coin()) n.q = tie(std::round(sampler.uniform(2, 7)));
-        const bool extremal = !symmetric && sampler.coin();
-        if (extremal) n = extremal_numbers(sampler);
-        const std::size_t wedge = whole_from(half_turn / n.wedge());
-        const std::size_t most = symmetric ? wedge : wedge + 2;
-        const Spot at = extremal && sampler.coin()
-                            ? out_of_corner(n, sampler.log_uniform(1e-9, 1e-3), sampler.uniform(0, 2))
-                            : random_spot(sampler);
-        const std::size_t found = counted_at(n, at, most);
-        if (found > most) FAIL(say("rho", n.rho, "Q", n.q, at.e, at.angle, found, most));
-        tight += found == wedge ? 1 : 0;
-        beyond += found > wedge ? 1 : 0;
-    }
-    CHECK(tight > 50);
-    CHECK(beyond > 500);  // more than that wedge: random starts of random bodies show none
-}
-
-TEST_CASE(
-    "L73: close to the corner of any body as many collisions occur as the corner goes into a half turn") {
-    Sampler sampler(1, 7005);
-    for (int i = 0; i < scaled(12); ++i) {
-        const Numbers n = random_numbers(sampler, false);
-        const std::size_t corner = whole_from(half_turn / n.corner());
-        if (corner > 12 || std::abs(half_turn / n.corner() - std::round(half_turn / n.corner())) < 0.02)
-            continue;
-        std::size_t most = 0;
-        for (int k = 0; k < 400 && most < corner; ++k)
-            most = std::max(most, total_at<Digits80>(n, {k % 2 == 0 ? Mass::heavy : Mass::light, 1e-6,
-                                                         half_turn * k / 400}));
-        if (most < corner) FAIL(say("rho", n.rho, "Q", n.q, most, corner));
-    }
-}
-
-TEST_CASE(
-    "L84: with a little mass in the rod there are three collisions at the corner, and k1 on either side") {
-    for (const double q : {4.0, 5.5, 6.0, 9.0, 10.0, 25.0}) {
-        const std::size_t least = 3 + 2 * theorem(Digits80(q)).k1;
-        const Numbers n = rod(q, 1e-5);
-        CHECK(total_at<Digits80>(n, out_of_corner(n, 1e-7, 1)) >= least);
-        if (q == 5.5) CHECK(least > whole_from(half_turn / n.wedge()));
     }
 }

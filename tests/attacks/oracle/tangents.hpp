@@ -32,6 +32,7 @@ class TwoTangents {
     [[nodiscard]] std::size_t f(const S& e) const {
         using std::cos;
         using std::sin;
+        if (rho_ == 1) return 0;  // at most it touches the tops of humps that are as high
         return ray_count(Ray<S>{S(rho_ * (sin(e) + (pi<S>() - e) * cos(e))), S(rho_ * cos(e))}, r_);
     }
     [[nodiscard]] std::size_t b(const S& e) const {

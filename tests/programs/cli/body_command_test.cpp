@@ -49,11 +49,11 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK(open.code == 3);
     CHECK(open.err == "dumbbell: not decided: allow more time (--budget)\n");
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
-               Contains("Q = 1e40 is beyond 10^36, the greatest that is tried\n"));
+               Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
     CHECK_THAT(refused_body({"--rho", "1/2:0.51", "--inertia", "9"}), Contains("--rho is one number"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
                Contains("proved by their tangents, or by --section plain"));
-    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--list is for mass ratios"));
+    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--scene body needs --rho"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {
@@ -66,7 +66,7 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"1:2", "--rod-mass", "1"}), Contains("single mass ratio"));
     CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
     CHECK_THAT(refused_body({"10", "--coin"}), Contains("a RATIO only with --rod-mass"));
-    CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--coin and --list exclude each other"));
+    CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--list and --coin exclude each other"));
     CHECK_THAT(refused_body({"--coin", "--scene", "wedge"}), Contains("--scene body"));
     CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
@@ -91,6 +91,37 @@ TEST_CASE("a range of bodies has parts, which join, and a missing one is named w
     CHECK(dumbbell(both, folder.path()).code == 0);
     CHECK(verifier({"--rho", "1/2", "--inertia", "2.4:2.6", "--exactly", "3", folder / "whole.dbc"}).code ==
           0);
+}
+
+TEST_CASE("a list of Q has a folder of certificates, and parts of Q below 1 join") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "1/2\n1/2:3\n100\n");
+    const Outcome list =
+        dumbbell({"certify", "--list", "list", "--rho", "1/2", "--out", "answers"}, folder.path());
+    CHECK(list.code == 0);
+    CHECK_THAT(list.out, Contains("1/2:3\t1/2\t0.5\t3/1\t3\t3\t3\t"));
+    CHECK(verifier({"--claims", folder / "answers/claims.tsv"}).code == 0);
+    CHECK(dumbbell({"certify", "--list", "list", "--coin"}, folder.path()).code == 2);
+    for (const char* part : {"1/2", "2/2"}) {
+        const std::string file = std::string(part, 1) + ".dbc";
+        CHECK(dumbbell({"certify", "--rho", "1/2", "--inertia", "1/2:9", "--part", part, "--out", file},
+                       folder.path())
+                  .code == 0);
+    }
+    CHECK(
+        dumbbell({"join", "1.dbc", "2.dbc", "--range", "1/2:9", "--out", "whole.dbc"}, folder.path()).code ==
+        0);
+}
+
+TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2 they say so") {
+    const TemporaryFolder folder;
+    const Outcome leaps =
+        dumbbell({"certify", "--rho", "0.25", "--inertia", "4:30", "--out", "range.dbc"}, folder.path());
+    CHECK(leaps.code == 0);
+    CHECK_THAT(leaps.out, Contains("  3 to 5  ") && Contains("--inertia 4:30 --max 7 --min 3 --gap "));
+    CHECK(verifier({"--rho", "0.25", "--inertia", "4:30", "--max", "7", "--min", "3", "--gap", "1e-6",
+                    "--gaps", "2", folder / "range.dbc"})
+              .code == 0);
 }
 
 TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {

@@ -137,15 +137,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a ratio within 1e-401 of a critical one is decided, and verified with the bits that its file asks for") {
-    const TemporaryFolder folder;
-    const std::string ratio = "1." + std::string(400, '0') + "1";
-    const std::string path = certificate(folder, ratio);
-    CHECK_THAT(contents(path), Contains("bits 2080\n"));
-    CHECK(verifier({"--max-bits", "2080", "--ratio", ratio, "--exactly", "3", path}).code == 0);
-}
-
 TEST_CASE("the bounds of a critical ratio with as many digits as there are are mass ratios, and are decided",
           "[wings]") {
     const TemporaryFolder folder;

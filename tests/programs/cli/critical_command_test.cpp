@@ -87,3 +87,35 @@ TEST_CASE("critical refuses options out of range") {
     CHECK_THAT(refused({"critical", "4", "--budget", "5"}), Contains("30s"));
     CHECK_THAT(refused({"critical", "4", "--out", "no/such/folder/file.tsv"}), Contains("no/such/folder"));
 }
+
+TEST_CASE("critical --rho prints steps of bodies as it does ratios: as text, JSON and a table") {
+    const TemporaryFolder folder;
+    const Outcome result =
+        dumbbell({"critical", "4:5", "--rho", "0.25", "--out", "steps.tsv"}, folder.path());
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Contains("4  4.66455342222012...") && Contains("     3   5\n") && Contains("L83"));
+    CHECK_THAT(contents(folder / "steps.tsv"),
+               StartsWith("# Steps of bodies.") &&
+                   Contains("\n# N\tQ_c\tradius\tbits\tfrom\tto\n4\t4.66455342222012\t"));
+    CHECK(dumbbell({"critical", "3", "--rho", "1", "--quiet"}).out == "Q_c(3; 1) = 1.00000000000000...\n");
+    const auto report = nlohmann::json::parse(dumbbell({"critical", "5", "--rho", "1/2", "--json"}).out);
+    CHECK((report.at("rho") == "0.5" && report.at("ratios").at(0).at("from") == 4));
+    CHECK_FALSE(report.at("ratios").at(0).contains("orbit"));
+}
+
+TEST_CASE("critical --ratio --rod-mass prints the masses at which N falls, and what is open") {
+    const Outcome result = dumbbell({"critical", "--ratio", "10", "--rod-mass"});
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Contains("5  0.530596177731867...") && Contains("no rises, is open"));
+    CHECK(dumbbell({"critical", "--ratio", "10", "--rod-mass", "--quiet"}).out ==
+          "The mass at which N falls from 5 to 3 = 0.530596177731867...\n");
+}
+
+TEST_CASE("critical of bodies refuses in a line what has no step") {
+    CHECK_THAT(refused({"critical", "3", "--rho", "1/2"}), Contains("the steps begin with N = 4"));
+    CHECK_THAT(refused({"critical", "5", "--rho", "2"}), Contains("at most 1"));
+    CHECK_THAT(refused({"critical", "4:9", "--rho", "1/2", "--part", "1/2"}), Contains("--part exclude"));
+    CHECK_THAT(refused({"critical", "5", "--ratio", "10", "--rod-mass"}), Contains("exclude each other"));
+    CHECK_THAT(refused({"critical", "--ratio", "10"}), Contains("--rod-mass"));
+    CHECK_THAT(refused({"critical", "2000000", "--rho", "1/2"}), Contains("at most 10^6"));
+}

@@ -266,11 +266,7 @@ TEST_CASE("a table that says what is not certain is refused, with the command th
     CHECK_THAT(
         refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
         Contains("q_c(4) is not certain to lie where it says; to make it again: dumbbell critical 3:"));
-    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003526\t"),
-               Contains("q_c(4) is not certain"));
     CHECK_THAT(refuses("\tcorner\t1\n", "\tcorner\t2\n"), Contains("(line 5)"));
-    CHECK_THAT(refuses("4\t4.6033388487517003525\t", "4\t04.603338848751700352\t"), Contains("(line 5)"));
-    CHECK_THAT(refuses("3\t1\t0\t", "3\t1\t0.5\t"), Contains("(line 4)"));
     write_file(file, good.substr(0, good.size() - 5));
     CHECK_THAT(not_joined(folder, parts, {}, "whole.tsv"), Contains("as dumbbell critical --out writes it"));
     write_file(file, good);

@@ -166,6 +166,8 @@ TEST_CASE("docs/reference/json.md describes the JSON of critical") {
     const TemporaryFolder folder;
     check_documented("critical", printed_by({{"critical", "3:4", "--out", "ratios.tsv"},
                                              {"critical", "3:9", "--part", "1/2"},
+                                             {"critical", "5", "--rho", "1/4"},
+                                             {"critical", "--ratio", "10", "--rod-mass"},
                                              {"critical", "100", "--budget", "0s"}},
                                             folder));
 }

@@ -48,6 +48,12 @@ TEST_CASE("a range that is stopped says what is kept, and the same command goes 
         CHECK_THAT(outcome.err, Contains(" pieces are finished and kept in 'stairs.dbc.partial'") &&
                                     Contains("the same command goes on"));
         CHECK(folder.names() == Words{"stairs.dbc.partial"});
+        for (const auto& entry : std::filesystem::directory_iterator(folder / "stairs.dbc.partial")) {
+            const std::string piece = entry.path().string();
+            CHECK((!piece.ends_with(".dbc") || verifier({piece}).code == 0));
+        }
+        CHECK_THAT(dumbbell({"certify", "100", "--out", "stairs.dbc"}, folder.path()).err,
+                   Contains("'stairs.dbc.partial' holds the finished pieces of another run"));
         REQUIRE(dumbbell(long_proof, folder.path()).code == 0);
         CHECK(contents(folder / "stairs.dbc") == contents(undisturbed / "stairs.dbc"));
         CHECK(folder.names() == Words{"stairs.dbc"});

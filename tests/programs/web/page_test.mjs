@@ -156,7 +156,7 @@ for (const width of [390, 1280]) {
     }, { viewport: { width, height: 844 } });
 }
 
-test("the pages are as large as docs/4-verifying.md says: at most 525 kB with gzip, and 700 kB in a page", () => {
+test("the pages are as large as docs/4-verifying.md says: at most 535 kB with gzip, and 700 kB in a page", () => {
     const said = readFileSync(join(root, "docs", "4-verifying.md"), "utf8");
     const [whole, packed, added] = /one file of (\d+) kB \((\d+) kB with gzip\)[^]*The verifier adds (\d+) kB/.exec(said).slice(1).map((kB) => 1000 * kB);
     const near = (bytes, told) => assert.ok(Math.abs(bytes - told) < 3000, `${bytes} bytes, said ${told}`);
@@ -164,7 +164,7 @@ test("the pages are as large as docs/4-verifying.md says: at most 525 kB with gz
     const gzipped = gzipSync(bytes, { level: 9 }).length;
     near(bytes.length, whole);
     near(gzipped, packed);
-    assert.ok(gzipped <= 525_000, String(gzipped));
+    assert.ok(gzipped <= 535_000, String(gzipped));
     const sizes = [[], ["--no-verifier"]].map((options) => {
         dumbbell("report", shipped("q-10.dbc"), ...options, "--out", place("size.html"));
         return readFileSync(place("size.html")).length;

@@ -32,10 +32,6 @@ Piece proved(const Rational& rho, const Rational& q, bool by_plain = false) {
 
 long maximum(const Piece& piece) { return piece.status() == Status::exact ? as_long(piece.lower) : 0; }
 
-long with_rod(const Rational& q, const Rational& mu) {
-    return maximum(certify({.claim = claim_of(Rod{q, mu})}).front().piece);
-}
-
 }  // namespace
 
 TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by tangents and by a lemma") {
@@ -104,14 +100,6 @@ TEST_CASE("Theorem B: plain covers prove the same of random bodies, as many as t
     CHECK(open <= 3 * scaled(2));
 }
 
-TEST_CASE(
-    "A rod with a hundredth of the mass of its ends has one collision more where the massless one has an "
-    "even number") {
-    CHECK(with_rod(10, Rational(1, 100)) == 5);
-    CHECK(with_rod(6, Rational(1, 100)) == 5);
-    CHECK(with_rod(3, Rational(1, 100)) == 3);
-}
-
 TEST_CASE("On the edge, without mass between the contacts, bodies have what dumbbells have") {
     Random choices(463);
     for (int i = 0; i < scaled(5); ++i) {
@@ -122,16 +110,6 @@ TEST_CASE("On the edge, without mass between the contacts, bodies have what dumb
         const Piece piece = proved(1 / q, q);
         CAPTURE(q);
         REQUIRE(maximum(piece) == maximum(expected));
-    }
-}
-
-TEST_CASE("Ranges of symmetric bodies step where the wedges do") {
-    auto request = of_body(1, 1, 30);
-    const auto pieces = certify(request);
-    CHECK(pieces.back().piece.q_hi == 30);
-    CHECK(undecided_share(pieces) < Rational(1, 100'000));
-    for (const auto& p : pieces) {
-        CHECK(p.piece.status() != Status::open);
     }
 }
 

@@ -51,23 +51,6 @@ TEST_CASE("single ratios get the number of the recomputation in 80 digits") {
     }
 }
 
-TEST_CASE("from 1 to 100 every piece is exact or a gap, and true at its ends") {
-    const auto pieces = certified(1, 100);
-    CHECK(pieces.size() == 17);
-    CHECK(pieces.front().piece.q_lo == 1);
-    CHECK(pieces.back().piece.q_hi == 100);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Piece& p = pieces[i].piece;
-        CAPTURE(p.q_lo, p.q_hi);
-        CHECK(p.status() != Status::open);
-        CHECK((i == 0 || p.q_lo == pieces[i - 1].piece.q_hi));
-        CHECK((p.q_lo == 1 ? 2 : reference_maximum(p.q_lo)) == p.lower);
-        CHECK(reference_maximum(p.q_hi) <= *p.upper);
-    }
-    CHECK(undecided_share(pieces) > 0);
-    CHECK(undecided_share(pieces) < Rational(1, 100000));
-}
-
 TEST_CASE("ranges that begin, end or lie inside a neighbourhood of a critical ratio leave nothing open") {
     for (const long n : {4L, 5L, 6L, 11L}) {
         for (const char* distance : {"1e-6", "1e-9"}) {

@@ -209,7 +209,12 @@ TEST_CASE("a folder of another claim, or in use, is refused, and an unused one d
         CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(100)), Contains("in use by another run"));
         store.keep(dumbbell_test::piece(5, 11, 4, 4));
     }
-    CHECK_THROWS_WITH(PieceStore(place.path.string(), claim(101)), Contains("another run"));
+    Claim section = claim(100), gap = claim(100);
+    section.system.section = Section::full;
+    gap.gap = Rational(1, 1001);
+    for (const Claim& other : {claim(101), section, gap}) {
+        CHECK_THROWS_WITH(PieceStore(place.path.string(), other), Contains("another run"));
+    }
     CHECK(fs::exists(only_piece(place)));
     fs::remove(only_piece(place));
     { const PieceStore store(place.path.string(), claim(100)); }

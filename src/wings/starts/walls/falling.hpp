@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "flight/contact_range.hpp"
 #include "flight/reflection.hpp"
 #include "starts/air/first_flight.hpp"
 #include "starts/air/flight.hpp"
@@ -13,19 +14,11 @@
 /// and 6).
 namespace dumbbell::starts {
 
-/// All contacts of a box of rays from a light wall with the bridge ahead, before its top or behind it (L60):
-/// their distance from the corner before the bridge, in [0, pi], with its sine and cosine.
+/// The least roots x in [0, pi] of sin x = c + kappa x, for all c and kappa of these intervals: all contacts
+/// of a box of rays from a light wall with the bridge ahead, before its top or behind it. Nothing unless it
+/// is certain that all of them have one and that sin x - kappa x still rises there: L60.
 template <class I>
-struct BridgeContacts {
-    I x;
-    I sine;
-    I cosine;
-};
-
-/// The least roots x in [0, pi] of sin x = c + kappa x, for all c and kappa of these intervals; nothing
-/// unless it is certain that all of them have one and that sin x - kappa x still rises there: L60.
-template <class I>
-[[nodiscard]] std::optional<BridgeContacts<I>> bridge_contacts(const I& c, const I& kappa) {
+[[nodiscard]] std::optional<flight::ContactRange<I>> bridge_contacts(const I& c, const I& kappa) {
     const auto guess = [](const I& height, const I& slope) {
         I z(flight::guess_bridge_contact(approximate(height), approximate(slope), 1));
         for (int bits = 53; bits < PrecisionScope::current(); bits *= 2) {
@@ -54,8 +47,7 @@ template <class I>
         if (certainly_at_most(least, greatest) && certainly_at_most(greatest, pi<I>()) &&
             certainly_positive(value(greatest, high_end(c), high_end(kappa)))) {  // L60 (b)
             const I x = hull(least, greatest);
-            const SinCos<I> at = sin_cos(x);
-            return BridgeContacts<I>{x, at.sin, at.cos};
+            return flight::ContactRange<I>{x, sin_cos(x)};
         }
     }
     return std::nullopt;
@@ -125,16 +117,16 @@ template <class I>
         return std::nullopt;
     }
     const FirstReflection reflection{flight::End::heavy, false};
-    const I onward = reflection.at(ray.slope, at->cosine, body).denominator;
+    const I onward = reflection.at(ray.slope, at->at.cos, body).denominator;
     const bool back = certainly_positive(-onward);
     if (!back && !certainly_positive(onward)) {
         return std::nullopt;
     }
-    const I along = reflection.slopes(ray.slope, at->cosine, body);
+    const I along = reflection.slopes(ray.slope, at->at.cos, body);
     const I run = back ? at->x : pi<I>() - at->x;
     const I rise = back ? -along : along;
     return Outbound<I>{back ? -ray.direction : ray.direction, ray.corner + (back ? 0 : ray.direction), run,
-                       r * at->sine + rise * run, rise};
+                       r * at->at.sin + rise * run, rise};
 }
 
 /// What a ray does at the light wall ahead, over a box of rays: `ray` is a way out of the bridge, or of a

@@ -11,35 +11,6 @@ using make::outcome;
 
 namespace {
 
-/// The lines of the tree of `falling()`, in order.
-std::vector<std::string> tree_lines() {
-    const std::string& text = falling();
-    const std::size_t begin = text.find('\n', text.find("\nbetween ") + 1) + 1;
-    std::istringstream in(text.substr(begin, text.find("total ") - begin));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
-
-/// `falling()` with another tree; the bounds in the header fit it.
-std::string with_tree(const std::vector<std::string>& lines) {
-    long least = 99, most = 0;
-    std::string tree;
-    for (const std::string& line : lines) {
-        tree += line + "\n";
-        std::istringstream words(line);
-        std::string kind;
-        long a = 0, b = 0;
-        words >> kind >> a;
-        if (kind == "split") continue;
-        if (kind == "exactly" || !(words >> b)) b = a;
-        least = std::min(least, a);
-        most = std::max(most, b);
-    }
-    const std::string head = falling().substr(0, falling().find("\nbetween ") + 1);
-    return closed(head + "between " + std::to_string(least) + " " + std::to_string(most) + "\n" + tree);
-}
-
 /// About all incoming trajectories.
 std::string incoming(const std::string& tree, const std::string& bounds, const std::string& ratio) {
     return closed(
@@ -49,44 +20,6 @@ std::string incoming(const std::string& tree, const std::string& bounds, const s
 }
 
 }  // namespace
-
-TEST_CASE("another number of collisions is refused in every leaf") {
-    const auto lines = tree_lines();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!lines[i].starts_with("exactly ")) continue;
-        const int k = lines[i][8] - '0';
-        for (const int wrong : {k - 1, k + 1, k + 2, 99}) {
-            auto changed = lines;
-            changed[i] = wrong == 0 ? "exactly 0" : "exactly " + std::to_string(wrong) + lines[i].substr(9);
-            INFO(changed[i]);
-            CHECK(outcome(with_tree(changed)) == "exactly");
-        }
-        auto wider = lines;  // true, though less than is known
-        wider[i] = "between 1 9" + lines[i].substr(9);
-        CHECK(outcome(with_tree(wider)) == "verified");
-        wider[i] = "between 1 9";
-        CHECK(outcome(with_tree(wider)) == "verified");
-    }
-}
-
-TEST_CASE("the same tree says nothing of another box") {
-    for (const auto& [from, to] : {std::pair{"phi -1/1 1/1", "phi -3/2 1/1"},
-                                   {"phi -1/1 1/1", "phi -1/1 5/4"},
-                                   {"phi -1/1 1/1", "phi 2/1 4/1"},
-                                   {"phidot 1/100 1/100", "phidot -1/1 1/100"},
-                                   {"phidot 1/100 1/100", "phidot 1/100 1/1"},
-                                   {"y 3/2 3/2", "y 3/2 2/1"},
-                                   {"y 3/2 3/2", "y 1/1 3/2"},
-                                   {"ydot -1/1 -1/1", "ydot -2/1 -1/1"},
-                                   {"ydot -1/1 -1/1", "ydot -1/1 -1/2"},
-                                   {"ydot -1/1 -1/1", "ydot 1/1 1/1"},
-                                   {"ratio 10/1 10/1", "ratio 2/1 10/1"},
-                                   {"ratio 10/1 10/1", "ratio 10/1 20/1"}}) {
-        const std::string code = outcome(mutated(falling(), from, to));
-        INFO(to << ": " << code);
-        CHECK((code == "exactly" || code == "between"));
-    }
-}
 
 TEST_CASE("`exactly 0` is for starts that leave") {
     const auto zero = [](const std::string& phidot, const std::string& y, const std::string& ydot) {

@@ -79,9 +79,9 @@ std::string describe(const Sides& s) {
                                 s.y_lo, s.y_hi, "ydot", s.ydot_lo, s.ydot_hi);
 }
 
-constexpr Numbers tried[] = {{0, 1},      {0, 1.5},        {0, 3},   {0, 10},     {0, 100},
-                             {0, 10000},  {1, 4},          {1, 3},   {0.125, 9},  {0.5, 3},
-                             {0.875, 30}, {0.015625, 101}, {1, 0.5}, {0.5, 0.25}, {0.25, 2}};
+constexpr Numbers tried[] = {{0, 1},          {0, 1.5}, {0, 3},      {0, 10},    {0, 100}, {0, 10000},
+                             {0, 1e6},        {1, 4},   {1, 3},      {0.125, 9}, {0.5, 3}, {0.875, 30},
+                             {0.015625, 101}, {1, 0.5}, {0.5, 0.25}, {0.25, 2}};
 
 }  // namespace
 
@@ -115,26 +115,6 @@ TEST_CASE("L77: random boxes contain the simulated orbits of their points, of du
     }
     CHECK(checked > 9 * boxes);
     CHECK(exact > boxes / 2);
-}
-
-TEST_CASE("In double precision every collision of random starts is enclosed, also at great mass ratios") {
-    for (const double q : {10.0, 1e4, 1e6}) {
-        std::mt19937_64 engine(20261121);
-        long collisions = 0;
-        for (int i = 0; i < scaled(150); ++i) {
-            const Sides sides = random_sides(engine, q, 0);
-            const auto traced = dumbbell::starts::trace(sides.box(), 0);
-            INFO(describe(sides));
-            REQUIRE(traced.exact());
-            REQUIRE(traced.collisions.size() == static_cast<std::size_t>(traced.least));
-            collisions += traced.least;
-            if (i % 20 == 0 || traced.least > 20) {
-                REQUIRE(hold_with_80_digits(traced.collisions, {0, q},
-                                            {sides.phi_lo, sides.phidot_lo, sides.y_lo, sides.ydot_lo}));
-            }
-        }
-        CHECK(collisions > 0);
-    }
 }
 
 TEST_CASE("A single start of a body is followed to its end") {
