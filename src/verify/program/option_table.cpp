@@ -35,7 +35,7 @@ constexpr Option table[] = {
     {"--coin", "", "the same as --rho 1 --inertia 4"},
     {"--rod-mass", "MU",
      "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends"},
-    {"--scene", "dumbbell|hybrid|wedge|body",
+    {"--scene", "dumbbell|body",
      "demand this scene; default: what the other options state, dumbbell or body, else the file's"},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "

@@ -52,7 +52,7 @@ class Tangents : Bridge<N> {
         const I rho(rho_lo, rho_hi);
         return {std::max(zero, (rho * (s - I(x0) * w)).lo), (-(rho * w)).lo, r_lo};
     }
-    /// The straight wedge's: c = 0.
+    /// c = 0.
     [[nodiscard]] Ray along_bridge() const { return {zero, -rho_hi, r_lo}; }
 
     enum class Bounce { returns, leaves, misses, undecided };

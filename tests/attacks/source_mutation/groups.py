@@ -28,7 +28,7 @@ VERIFIER = {
             "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:wings/starts/leaf "
             "machine/meter:machine/work"),
     # the leaves
-    **below("verify", "core/turning macro/leaps sections/body sections/full sections/wedge wings/starts/leaf",
+    **below("verify", "core/turning macro/leaps sections/body sections/full wings/starts/leaf",
             "core/ray:core/turning core/section:core/turning sections/bridge:sections/full sections/flights:sections/body "
             "wings/starts/flight:wings/starts/leaf wings/starts/ray:wings/starts/leaf "
             "wings/starts/reflection:wings/starts/leaf"),
@@ -110,7 +110,7 @@ GROUPS = {
         programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
     "collisions": Group(
         files=below("collisions", "certificate certify chart claim cover halving leaf leaf_boxes part piece piece_store plan reader "
-                    "section sections/dumbbell sections/full sections/turning sections/wedge step_guess witness "
+                    "section sections/dumbbell sections/full sections/turning step_guess witness "
                     "witness_orbit writer",
                     "piece_store:piece_store"),
         left_out=frozenset(),

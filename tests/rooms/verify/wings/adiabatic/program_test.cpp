@@ -74,7 +74,7 @@ TEST_CASE("adiabatic: such a file is no answer to a question about numbers of co
     CHECK(code("--claim collisions") == 1);
     CHECK(code("--claim initial-conditions") == 1);
     CHECK(code("--claim adiabatic") == 2);
-    CHECK(code("--scene hybrid") == 1);
+    CHECK(code("--scene body") == 1);
     const File list(file.path() + "\t--ratio 399 --max 20\n");
     CHECK(run("--claims " + list.path()).code == 2);
     const File ten(make::ten());
