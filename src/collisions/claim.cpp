@@ -30,9 +30,7 @@ std::string system_text(const Claim& claim) {
     if (claim.system.rho) {
         return (claim.rod ? "--ratio " : "") + body_text(claim);
     }
-    const std::string_view scene = row_of(claim.system.section).scene;
-    return (scene == row_of(Section()).scene ? "" : fmt::format("--scene {} ", scene)) + "--ratio " +
-           spelled(claim.range.lo, claim.range.hi);
+    return "--ratio " + spelled(claim.range.lo, claim.range.hi);
 }
 
 bool has_upper(const Piece* piece) { return piece->upper.has_value(); }
@@ -124,11 +122,9 @@ std::vector<const Piece*> pieces_of(const Certificate& certificate) {
 }
 
 std::string options_of(const Claim& claim) {
-    const SectionRow &row = row_of(claim.system.section), &usual = row_of(Section());
-    return (claim.system.rho || row.scene == usual.scene ? "" : fmt::format(" --scene {}", row.scene)) +
-           (row.section == (claim.system.rho ? row_of(Section::body) : usual).section
-                ? ""
-                : fmt::format(" --section {}", row.section)) +
+    const std::string_view section = row_of(claim.system.section).section,
+                           usual = row_of(claim.system.rho ? Section::body : Section()).section;
+    return (section == usual ? "" : fmt::format(" --section {}", section)) +
            (claim.gap == 0 ? "" : " --gap " + exact_text(claim.gap));
 }
 

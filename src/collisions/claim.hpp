@@ -37,7 +37,7 @@ struct Claim {
 [[nodiscard]] Claim claim_of(const Certificate& certificate);
 [[nodiscard]] std::vector<const Piece*> pieces_of(const Certificate& certificate);
 
-/// ` --scene wedge --gap 1e-9`: what a command needs besides what moves.
+/// ` --section full --gap 1e-9`: what a command needs besides what moves.
 [[nodiscard]] std::string options_of(const Claim& claim);
 
 /// `dumbbell certify 1:100 --section full --gap 1e-6`: what makes a certificate of the claim, but for --out.

@@ -5,8 +5,8 @@ import { nextContact, reflected } from "./flight.js";
 
 export const mostCollisions = 20000; // followed
 
-/// Heights are computed in units of beta2; this many rod lengths are that (a wedge has no unit).
-export const lengthUnit = ({ scene, rho }) => (scene === "wedge" ? 1 : 1 / (1 + rho));
+/// Heights are computed in units of beta2; this many rod lengths are that.
+export const lengthUnit = ({ rho }) => 1 / (1 + rho);
 
 const cornerRange = 1e-11; // of angles: closer to flat, doubles do not tell which mass hits first
 
@@ -52,12 +52,12 @@ export function forward(q, state, collision, first, rho = 1 / q) {
     const isCorner = next !== null && collisions.length < mostCollisions;
     const complete = next === null && !(state.vy < 0); // what falls hits the floor: doubles did not find where
     const until = state.t + (isCorner ? next.after : shownAfter(state));
-    return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
+    return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner };
 }
 
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
 /// one, each with times from the middle on.
-export function joined(q, middle, out, back, scene, rho = 1 / q) {
+export function joined(q, middle, out, back, rho = 1 / q) {
     const past = back.map((c) => ({ ...c, t: -c.t, before: reversed(c.after), after: reversed(c.before) })).reverse();
     const all = [...past, middle, ...out];
     const zero = all[0].t;
@@ -72,7 +72,6 @@ export function joined(q, middle, out, back, scene, rho = 1 / q) {
         first: { ...first, until: first.t - shownAfter({ y: a.y, ...reversed(a.before) }) },
         last: { ...last, until: last.t + shownAfter(last) },
         complete: true,
-        scene,
     };
 }
 

@@ -60,11 +60,11 @@ inline mpq_class power_of_two(const mpq_class& x) {
     return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
-const Section &turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents(), &cells();
+const Section &turning(), &full(), &plain(), &body(), &tangents(), &cells();
 
 /// All of them: (lemmas, scene, name) chooses.
-inline std::array<const Section*, 8> sections() {
-    return {&turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents(), &cells()};
+inline std::array<const Section*, 6> sections() {
+    return {&turning(), &full(), &plain(), &body(), &tangents(), &cells()};
 }
 
 }  // namespace dumbbell_verify

@@ -123,8 +123,7 @@ void state_claim(const ClaimWords& words, Request& settings) {
         settings.scene = *scene;
         const auto known = sections();
         if (std::none_of(known.begin(), known.end(), [&](const Section* s) { return s->scene == *scene; }))
-            throw std::invalid_argument("--scene is dumbbell, hybrid, wedge or body, not `" +
-                                        scene->substr(0, 60) + "`");
+            throw std::invalid_argument("--scene is dumbbell or body, not `" + scene->substr(0, 60) + "`");
     }
     if (const auto* claim = find(words, "--claim")) {
         settings.claim = *claim;

@@ -1,7 +1,6 @@
 #include "verify/program/examine.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 
@@ -31,8 +30,6 @@ const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdic
 int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
 
 Result examine(const Job& job) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
     const Request& settings = job.settings;
     Result result;
     result.job = &job;
@@ -48,7 +45,6 @@ Result examine(const Job& job) {
     } catch (const std::exception& error) {  // out of memory, no more threads
         result.why = {Verdict::limit, 0, "limit", error.what()};
     }
-    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return result;
 }
 

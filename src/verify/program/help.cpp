@@ -19,9 +19,8 @@ constexpr std::string_view
   dumbbell-verify ten.dbc                              what does this file prove?
   dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
-  dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
+  dumbbell-verify --claims certificates/claims.tsv     in CI: every certificate, its own claim
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
-  dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
   dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 )",

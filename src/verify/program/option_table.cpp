@@ -7,14 +7,6 @@
 namespace dumbbell_verify {
 namespace {
 
-/// A name like that of no certificate, so that `--junit *.dbc` destroys none.
-void read_report(Arguments& given, Asked& to) {
-    const std::string path = given.value();
-    if (!path.ends_with(".xml") || path == ".xml")
-        throw std::invalid_argument("--junit needs a file name that ends in .xml, not `" + path + "`");
-    to.options.junit = path;
-}
-
 unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 4096)); }
 
 constexpr Option table[] = {
@@ -35,7 +27,7 @@ constexpr Option table[] = {
     {"--coin", "", "the same as --rho 1 --inertia 4"},
     {"--rod-mass", "MU",
      "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends"},
-    {"--scene", "dumbbell|hybrid|wedge|body",
+    {"--scene", "dumbbell|body",
      "demand this scene; default: what the other options state, dumbbell or body, else the file's"},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
@@ -97,8 +89,6 @@ constexpr Option table[] = {
     {"--json", "",
      "print JSON and nothing else: an array of one object for each file; with --together one object",
      [](Arguments&, Asked& to) { to.options.json = true; }},
-    {"--junit", "FILE.xml",
-     "write a JUnit report, too: one test case for each file, with --together one more", read_report},
     {"--quiet", "", "print the last line only (or JSON), and show no progress",
      [](Arguments&, Asked& to) { to.options.quiet = true; }},
     {"-h, --help", "", "print this help and end", [](Arguments&, Asked& to) { to.options.answer = help(); }},

@@ -13,11 +13,7 @@ struct Phrases {
 };
 Phrases phrases_of(std::string_view scene) {
     if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
-    if (scene == "body")
-        return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
-    return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
-                " wedge hits its walls",
-            "trajectory hits them"};
+    return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
 }
 
 std::string times(const mpz_class& n) { return n.get_str() + (n == 1 ? " time" : " times"); }

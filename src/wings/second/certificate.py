@@ -7,7 +7,7 @@ from failure import Rejected, Unreadable, Unsupported
 
 WORDS = {
     "lemmas": {"1", "minimal", "body"},
-    "scene": {"dumbbell", "wedge", "hybrid", "body"},
+    "scene": {"dumbbell", "body"},
     "section": {"turning", "full", "tangents", "cells", "none"},
 }
 

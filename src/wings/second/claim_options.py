@@ -4,7 +4,7 @@ all are collected first."""
 from demand import Demand
 from values import Usage, count, mass_ratios, number, one_of, one_or_two, ratio, span
 
-SCENES = "dumbbell", "hybrid", "wedge", "body"
+SCENES = "dumbbell", "body"
 OF_BODIES = "rho", "inertia", "coin", "rod-mass"
 
 # The options of each kind of claim, besides --scene and --claim.

@@ -7,7 +7,6 @@ import gaps
 import plain
 import tangents
 import turning
-import wedge
 from demand import interval_text, part_text, ratio_text
 from judge import ends
 from tree import walk
@@ -17,8 +16,6 @@ SECTIONS = {
     ("1", "dumbbell", "turning"): turning,
     ("1", "dumbbell", "full"): full,
     ("minimal", "dumbbell", "full"): plain,
-    ("1", "wedge", "turning"): wedge,
-    ("1", "hybrid", "turning"): wedge,
     ("body", "body", "full"): body.Bodies,
     ("body", "body", "tangents"): tangents.Tangents,
     ("body", "body", "cells"): cells,

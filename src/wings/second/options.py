@@ -32,7 +32,7 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
                         with --claim initial-conditions: the starts in question; default: the box of the file
   --decided SHARE       with --claim initial-conditions or incoming: demand the proof of the number of collisions on
                         this share of what is in question, from 0 to 1
-  --scene dumbbell|hybrid|wedge|body
+  --scene dumbbell|body
                         demand this scene; default: what the other options state, dumbbell or body, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming; of kinds that it does not
                         judge it reads the options: --delta, --heights, --margin, --exponent, --constant, --attained

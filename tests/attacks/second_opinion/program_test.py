@@ -96,14 +96,14 @@ class Files(unittest.TestCase):
         for words in (["--max", "9"], ["--min", "3"], ["--exactly", "10"], ["--ratio", "1:101", "--max", "10"], ["--ratio=1/101"],
                       ["--ratio", "1:101"], ["--ratio", "99:100", "--max", "9"], ["--ratio", "99:100", "--exactly", "10"],
                       ["--ratio", "0.01:0.1", "--max", "10"], ["--ratio", "1e2", "--exactly", "10"], ["--ratio", "10^2", "--max", "9"],
-                      ["--ratio", "5:30"], ["--scene", "wedge"], ["--claim", "incoming"], ["--claim", "law", "--scene", "dumbbell"],
+                      ["--ratio", "5:30"], ["--scene", "body"], ["--claim", "incoming"], ["--claim", "law", "--scene", "dumbbell"],
                       ["--claim", "collisions", "--scene", "dumbbell", "--ratio", "2", "--max", "3", "--min", "0"], ["--gap", "1e-6"],
                       ["--ratio", "5:11", "--gap", "0", "--max", "5"], ["--ratio", "5:12", "--gap", "0"], ["--heavy-at-most", "1"],
                       ["--coin"], ["--ratio", "10", "--gap", "0"], ["--gaps", "8"], ["--gaps", "7", "--gap", "0.01"]):
             line, code = second.verdict_line(STAIRS, words)
             self.assertEqual((code, line + "\n"), first(["--quiet", *words, STAIRS])[:2])
-        self.assertEqual(first(["--max", "16", str(CERTIFICATES / "wedge-1-100.dbc")])[1].splitlines()[-1],
-                         second.verdict_line(CERTIFICATES / "wedge-1-100.dbc", ["--max", "16"])[0])
+        self.assertEqual(first(["--max", "16", str(CERTIFICATES / "coin.dbc")])[1].splitlines()[-1],
+                         second.verdict_line(CERTIFICATES / "coin.dbc", ["--max", "16"])[0])
 
     def test_where_nothing_is_proved(self):
         """The file is right all the same; a bound that is demanded is not proved."""
@@ -145,7 +145,7 @@ class Program(unittest.TestCase):
         one, coin, hundred = (str(CERTIFICATES / name) for name in ("q-1.dbc", "coin.dbc", "q-100.dbc"))
         for words in ([hundred, STAIRS, one], ["--ratio", "1:100", "--max", "10", one, STAIRS], ["--ratio", "1:100", "--max", "9", STAIRS, one],
                       ["--gap", "1e-6", "--ratio", "1:100", STAIRS, one], ["--gap", "0", STAIRS, one], [one, Q10], [STAIRS, Q10], [Q10],
-                      [one, coin], [STAIRS, one, "/nowhere"], ["--scene", "wedge", one], [str(CERTIFICATES / "law.dbc.gz"), one], []):
+                      [one, coin], [STAIRS, one, "/nowhere"], ["--scene", "body", one], [str(CERTIFICATES / "law.dbc.gz"), one], []):
             self.assertEqual(run(["--quiet", "--together", *words])[:2], first(["--quiet", "--together", *words])[:2], words)
         with tempfile.NamedTemporaryFile() as file:  # of a single ratio: one piece has no upper bound, one no lower one
             lines = body(one)

@@ -67,7 +67,7 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
     CHECK_THAT(refused_body({"10", "--coin"}), Contains("a RATIO only with --rod-mass"));
     CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--list and --coin exclude each other"));
-    CHECK_THAT(refused_body({"--coin", "--scene", "wedge"}), Contains("--scene body"));
+    CHECK_THAT(refused_body({"--coin", "--scene", "dumbbell"}), Contains("--scene body"));
     CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
 }

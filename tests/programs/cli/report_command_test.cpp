@@ -34,7 +34,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
     REQUIRE(dumbbell({"certify", "1:10", "--out", "stairs.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"certify", "10", "--section", "full", "--out", "full.dbc.gz"}, folder.path()).code ==
             0);
-    REQUIRE(dumbbell({"certify", "3", "--scene", "wedge", "--out", "wedge.dbc"}, folder.path()).code == 0);
+    REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
     REQUIRE(dumbbell({"trace", "10", "--phi", "0:1", "--phidot", "0", "--y", "3/2", "--ydot", "-1",
                       "--subdivide", "--max-boxes", "50", "--out", "starts.dbc"},
                      folder.path())
@@ -42,7 +42,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
     REQUIRE(dumbbell({"adiabatic", "--theorem", "lemma3.1", "--delta", "0.1", "--out", "adiabatic.dbc"},
                      folder.path())
                 .code == 0);
-    const Outcome made = report(folder, {"stairs.dbc", "full.dbc.gz", "wedge.dbc", "starts.dbc",
+    const Outcome made = report(folder, {"stairs.dbc", "full.dbc.gz", "coin.dbc", "starts.dbc",
                                          "adiabatic.dbc", "--no-verifier", "--out", "page.html"});
     CAPTURE(made.err);
     CHECK(made.code == 0);
@@ -54,7 +54,7 @@ TEST_CASE("report makes one page from certificates of every kind, and says nothi
     REQUIRE(files.size() == 5);
     CHECK(files[0]["claim"] == "collisions");
     CHECK(files[1]["section"] == "full");
-    CHECK(files[2]["scene"] == "wedge");
+    CHECK(files[2]["scene"] == "body");
     CHECK(files[3]["claim"] == "initial-conditions");
     CHECK(files[4]["claim"] == "adiabatic-bounce");
 

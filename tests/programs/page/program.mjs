@@ -37,8 +37,6 @@ export function certificates(place) {
         one: shipped("q-1.dbc"),
         full: shipped("full-100.dbc.gz"),
         plain: shipped("full-plain-10.dbc.gz"),
-        wedge: shipped("wedge-1-100.dbc"),
-        hybrid: shipped("hybrid-1-100.dbc"),
         coin: shipped("coin.dbc"),
         rod: shipped("rod-10.dbc.gz"),
         starts,

@@ -207,7 +207,7 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     for (const char* wrong :
          {"--scene body --max 4", "--rho 1 --max 4", "--inertia 4 --max 4", "--inertia 4 --rho 2 --max 4",
           "--inertia 4 --rho 1:0.5 --max 4", "--rho 0", "--coin --rho 1", "--coin=1", "--coin --rod-mass 1",
-          "--rod-mass 1", "--ratio 1:2 --rod-mass 1", "--coin --scene wedge", "--coin --claim incoming"})
+          "--rod-mass 1", "--ratio 1:2 --rod-mass 1", "--coin --scene dumbbell", "--coin --claim incoming"})
         CHECK(asked(wrong).code == 2);
     for (const char* ratio : {"--rho 1 ", "--inertia 4 ", "--coin ", "--scene body "})
         for (const char* value : {"4", "1/4"})

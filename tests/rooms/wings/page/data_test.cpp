@@ -117,17 +117,13 @@ TEST_CASE("the verifier is asked for exactly what the file claims") {
     CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) ==
           "--ratio 1:3 --max 5 --min 3 --gap 0.5 --gaps 1");
     CHECK(options(certificate_of({open_piece(5, 12)})) == "--ratio 5:12");
-    Certificate wedge = certificate_of({piece(1, 2, 3, 2)});
-    wedge.system.section = Section::wedge;
-    wedge.pieces[0].cover = {};
-    CHECK(options(wedge) == "--scene wedge --ratio 1:2 --max 3 --min 2");
 }
 
 TEST_CASE("the paper's bound is one of the dumbbell, and of ratios that it can be computed for") {
-    Certificate hybrid = certificate_of({piece(1, 2, 3, 2)});
-    hybrid.system.section = Section::hybrid;
-    hybrid.pieces[0].cover = {};
-    CHECK(file_of(hybrid)["pieces"][0]["paper"].is_null());
+    Certificate body = certificate_of({piece(1, 2, 3, 2)});
+    body.system = {Section::body, 1};
+    body.pieces[0].cover = {};
+    CHECK(file_of(body)["pieces"][0]["paper"].is_null());
     CHECK(file_of(certificate_of({piece(2, exact(1e40), 4, 3)}))["pieces"][0]["paper"].is_null());
 }
 
