@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "collisions/names.hpp"
 #include "file/dyadic.hpp"
 #include "file/limits.hpp"
 #include "flight/corner.hpp"
 #include "flight/outward.hpp"
+#include "number/parallel.hpp"
 
 namespace dumbbell::collisions {
 namespace {
@@ -123,56 +125,106 @@ class Edge {
     const Interrupted& interrupted_;
 };
 
-/// The certificate of a rectangle, cell by cell.
+/// The length of a side in logs; of one that is a point 1, so that areas are lengths there.
+double extent(const Range& side) {
+    return side.is_single() ? 1 : std::log1p(Rational((side.hi - side.lo) / side.lo).convert_to<double>());
+}
+
+/// A tree of cells that grows where it is not decided, the greatest cells first, and its certificate.
 class Cutter : SealedLines {
   public:
-    explicit Cutter(const Interrupted& interrupted) : interrupted_(interrupted) {}
+    Cutter(std::optional<double> wanted, const Interrupted& interrupted, Observer& observer)
+        : wanted_(wanted), interrupted_(interrupted), observer_(observer) {}
 
     Cells cut(const Rectangle& whole) && {
-        head({}, "body", "body", "cells", "collisions");
-        line("ratio {} {}", to_fraction(whole.q.lo), to_fraction(whole.q.hi));
-        line("rho {} {}", to_fraction(whole.rho.lo), to_fraction(whole.rho.hi));
-        line("bits {}", bits);
-        node(whole, 0);
-        line("total split {}\ntotal cell {}\ntotal open {}", splits_, found_.cells, open_);
-        if (open_ > 0) {
-            found_.upper = std::nullopt;
-            found_.lower = 0;
+        counted_ = extent(whole.rho) * extent(whole.q);
+        nodes_.push_back({.box = whole});
+        judge_from(0);
+        while (!waiting_.empty() && share() < wanted_.value_or(1) && !interrupted_()) {
+            halve_greatest();
         }
-        found_.certificate = std::move(*this).sealed();
-        return std::move(found_);
+        finish();
+        return std::move(*this).certificate();
     }
 
   private:
-    static constexpr int bits = 96;  // the verifiers evaluate in another way
-    static constexpr int deepest = 20;
-    static constexpr long most_splits = 2000;
+    static constexpr int bits = 96;               // the verifiers evaluate in another way
+    static constexpr std::size_t together = 256;  // whatever the threads: the tree is the same
 
-    void node(const Rectangle& box, int depth) {
-        const LowerBound lower = least_collisions(box, interrupted_);
-        long most = lower.bound;
-        auto upper = at_most(most, box, interrupted_);
-        if (!upper) {
-            const auto [fewest, seen] = at_corners(box);
-            if (fewest == seen && depth < deepest && splits_ < most_splits && box.rho.lo < box.rho.hi) {
-                const Rational middle = (box.rho.lo + box.rho.hi) / 2;
-                line("split rho");
-                ++splits_;
-                node({{box.rho.lo, middle}, box.q}, depth + 1);
-                node({{middle, box.rho.hi}, box.q}, depth + 1);
-                return;
+    struct Node {
+        Rectangle box;
+        int depth = 0;
+        bool is_beyond = false;
+        LowerBound lower{};  ///< 0: not tried
+        long most = 0;
+        std::optional<UpperBound> upper{};
+        Range Rectangle::*side = nullptr;  ///< to halve, if it is not decided
+        std::size_t halves = 0;            ///< the lower one; the upper one follows
+        [[nodiscard]] bool is_decided() const { return upper && most == lower.bound; }
+    };
+
+    [[nodiscard]] double share() const { return counted_ > 0 ? decided_ / counted_ : 0; }
+
+    void halve_greatest() {
+        const std::size_t first = nodes_.size();
+        for (std::size_t i = 0; i < together && !waiting_.empty(); ++i) {
+            const std::size_t chosen = waiting_.begin()->second;
+            waiting_.erase(waiting_.begin());
+            const auto side = nodes_[chosen].side;
+            nodes_[chosen].halves = nodes_.size();
+            for (const bool is_upper : {false, true}) {
+                Node half{.box = nodes_[chosen].box, .depth = nodes_[chosen].depth + 1};
+                Range& range = half.box.*side;
+                (is_upper ? range.lo : range.hi) = (range.lo + range.hi) / 2;
+                nodes_.push_back(std::move(half));
             }
-            constexpr long beyond = 4;
-            for (most = std::max(most + 1, seen); !upper && most <= seen + beyond; ++most) {
-                upper = at_most(most, box, interrupted_);
-            }
-            --most;
         }
-        if (upper) {
-            cell(most, *upper, lower);
-        } else {
-            line("open");
-            ++open_;
+        judge_from(first);
+    }
+
+    void judge_from(std::size_t first) {
+        in_parallel(nodes_.size() - first, [&](std::size_t i) {
+            judge(nodes_[first + i]);
+            observer_.advance(1);
+        });
+        const int deepest = wanted_ ? 80 : 20;
+        const std::size_t most_nodes = wanted_ ? 2'000'000 : 4'000;
+        for (std::size_t i = first; i < nodes_.size(); ++i) {
+            const Node& node = nodes_[i];
+            const double area = extent(node.box.rho) * extent(node.box.q);
+            if (node.is_decided()) {
+                decided_ += area;
+            } else if (node.is_beyond) {
+                counted_ -= area;
+            } else if (node.side != nullptr && node.depth < deepest && nodes_.size() < most_nodes) {
+                // In single precision areas that are equal but for roundings are so everywhere.
+                waiting_.emplace(-static_cast<float>(area), i);
+            }
+        }
+    }
+
+    void judge(Node& node) const {
+        const auto& [rho, q] = node.box;
+        const auto longer = extent(rho) > extent(q) ? &Rectangle::rho : &Rectangle::q;
+        node.is_beyond = wanted_ && rho.hi * q.hi <= 1;
+        if (node.is_beyond) {
+            return;
+        }
+        if (wanted_ && rho.lo * q.lo < 1) {
+            node.side = longer;
+            return;
+        }
+        node.lower = least_collisions(node.box, interrupted_);
+        node.most = node.lower.bound;
+        node.upper = at_most(node.most, node.box, interrupted_);
+        if (!node.upper) {
+            const auto [fewest, seen] = at_corners(node.box);
+            node.most = std::max(node.most + 1, seen);
+            // Where it is one number, the width in rho alone is in the way (L87).
+            node.side = fewest != seen ? wanted_ ? longer : nullptr : &Rectangle::rho;
+            if (node.side != nullptr && (node.box.*node.side).is_single()) {
+                node.side = wanted_ && !q.is_single() ? &Rectangle::q : nullptr;
+            }
         }
     }
 
@@ -183,6 +235,51 @@ class Cutter : SealedLines {
         };
         return std::minmax({at(box.rho.lo, box.q.lo), at(box.rho.hi, box.q.lo), at(box.rho.lo, box.q.hi),
                             at(box.rho.hi, box.q.hi)});
+    }
+
+    /// Bounds where one number is not proved.
+    void finish() {
+        in_parallel(nodes_.size(), [&](std::size_t i) {
+            Node& node = nodes_[i];
+            const bool is_open = node.halves == 0 && node.lower.bound > 0 && !node.upper;
+            const long least = node.most, last = least + 4;
+            for (long most = least; is_open && !node.upper && most <= last && !interrupted_(); ++most) {
+                node.most = most;
+                node.upper = at_most(most, node.box, interrupted_);
+            }
+        });
+    }
+
+    Cells certificate() && {
+        const auto& [rho, q] = nodes_[0].box;
+        head({}, "body", "body", "cells", "collisions");
+        line("ratio {} {}", to_fraction(q.lo), to_fraction(q.hi));
+        line("rho {} {}", to_fraction(rho.lo), to_fraction(rho.hi));
+        line("bits {}", bits);
+        found_.share = share();
+        write(nodes_[0]);
+        line("total split {}\ntotal cell {}\ntotal beyond {}\ntotal open {}", splits_, found_.cells, beyond_,
+             open_);
+        if (open_ + beyond_ > 0) {
+            found_.upper = std::nullopt;
+            found_.lower = 0;
+        }
+        found_.certificate = std::move(*this).sealed();
+        return std::move(found_);
+    }
+
+    void write(const Node& node) {
+        if (node.halves > 0) {
+            line("split {}", node.side == &Rectangle::rho ? "rho" : "q");
+            ++splits_;
+            write(nodes_[node.halves]);
+            write(nodes_[node.halves + 1]);
+        } else if (node.upper) {
+            cell(node.most, *node.upper, node.lower);
+        } else {
+            line("{}", node.is_beyond ? "beyond" : "open");
+            ++(node.is_beyond ? beyond_ : open_);
+        }
     }
 
     void cell(long most, const UpperBound& upper, const LowerBound& lower) {
@@ -197,9 +294,14 @@ class Cutter : SealedLines {
         ++found_.cells;
     }
 
+    std::optional<double> wanted_;
     const Interrupted& interrupted_;
+    Observer& observer_;
     Cells found_;
-    long splits_ = 0, open_ = 0;
+    std::vector<Node> nodes_;
+    std::set<std::pair<float, std::size_t>> waiting_;  ///< to be halved, the greatest first
+    double decided_ = 0, counted_ = 0;                 ///< areas in (log rho, log Q)
+    long splits_ = 0, beyond_ = 0, open_ = 0;
 };
 
 }  // namespace
@@ -248,8 +350,9 @@ bool is_within_reach(const Rectangle& bodies) {
     return flight::corner_count(bodies.rho.hi, bodies.q.hi, most_in_corner) <= most_in_corner;
 }
 
-Cells prove_cells(const Rectangle& bodies, const Interrupted& interrupted) {
-    return Cutter(interrupted).cut(bodies);
+Cells prove_cells(const Rectangle& bodies, const std::optional<double>& wanted,
+                  const Interrupted& interrupted, Observer& observer) {
+    return Cutter(wanted, interrupted, observer).cut(bodies);
 }
 
 }  // namespace dumbbell::collisions

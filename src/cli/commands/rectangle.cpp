@@ -2,16 +2,22 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
+#include "cli/terminal/stop_signals.hpp"
 #include "collisions/cells.hpp"
 #include "collisions/claim.hpp"
 #include "collisions/section.hpp"
 #include "number/decimal.hpp"
+#include "number/parallel.hpp"
+#include "number/ratio_argument.hpp"
 #include "words/printed.hpp"
 
 namespace dumbbell::cli {
@@ -22,10 +28,33 @@ using collisions::Rectangle;
 
 struct RectangleReport {
     Rectangle bodies;
+    std::optional<Rational> wanted;  ///< the share whose numbers are to be known; else one number for all
     collisions::Cells cells;
     double seconds = 0;
     std::optional<std::string> out{}, sha256{};
+
+    /// Beyond roundings.
+    [[nodiscard]] std::optional<double> aim() const {
+        return wanted ? std::optional(wanted->convert_to<double>() + 1e-9) : std::nullopt;
+    }
+    [[nodiscard]] bool is_done() const { return wanted ? cells.share >= aim() : cells.is_decided(); }
 };
+
+std::optional<Rational> wanted_share(const Given& given) {
+    if (!given.has("--decided")) {
+        return std::nullopt;
+    }
+    const Rational share = parse_number("--decided", given.text("--decided"));
+    if (share > 1) {
+        throw InputError("--decided is a share from 0 to 1, such as 0.99");
+    }
+    return share;
+}
+
+/// Rounded down, by more than the roundings of doubles.
+std::string spoken_share(double share) {
+    return fmt::format("{:.4f}", std::floor(std::max(0.0, share - 1e-9) * 1e4) / 1e4);
+}
 
 Rectangle rectangle_of(const Given& given) {
     for (const char* option : {"RATIO", "--section", "--gap", "--part", "--witness"}) {
@@ -61,6 +90,14 @@ std::string verdict(const RectangleReport& report) {
     const std::string where =
         fmt::format("at every Q from {} to {} and every rho from {} to {}", exact_text(q.lo),
                     exact_text(q.hi), exact_text(rho.lo), exact_text(rho.hi));
+    if (report.wanted) {
+        return fmt::format(
+            "{}: of at least {} of the bodies with Q rho > 1,\n{}, by area in (log rho, log Q),\nthe "
+            "greatest "
+            "number of times that a {}.\n",
+            report.is_done() ? "Proved" : "Not decided as far as was asked. Proved is this",
+            spoken_share(report.cells.share), where, words.hits);
+    }
     if (!report.cells.upper) {
         return fmt::format("Not decided: nothing is proved {}.\n", where);
     }
@@ -72,17 +109,18 @@ std::string verdict(const RectangleReport& report) {
 
 std::string to_text(const RectangleReport& report) {
     const auto& [rho, q] = report.bodies;
-    const auto& [upper, lower, cells, certificate] = report.cells;
+    const auto& [upper, lower, cells, share, certificate] = report.cells;
     std::string text =
         fmt::format("{} in {:.3f} s\n{}", plural(cells, "cell"), report.seconds, verdict(report));
     if (report.out) {
         text += fmt::format("Certificate: {} (sha256 {})\n", one_line(*report.out), *report.sha256);
     }
-    if (report.out && upper) {
+    if (report.out && (upper || report.wanted)) {
         text += fmt::format("Check it:    dumbbell verify --rho {} --inertia {} {} {}\n",
                             spelled(rho.lo, rho.hi), spelled(q.lo, q.hi),
-                            upper == lower ? fmt::format("--exactly {}", lower)
-                                           : fmt::format("--max {} --min {}", *upper, lower),
+                            report.wanted    ? fmt::format("--decided {}", spoken_share(share))
+                            : upper == lower ? fmt::format("--exactly {}", lower)
+                                             : fmt::format("--max {} --min {}", *upper, lower),
                             shell_file(*report.out));
     }
     return text;
@@ -99,6 +137,7 @@ Json to_json(const RectangleReport& report) {
                          {"upper", report.cells.upper},
                          {"lower", report.cells.lower},
                          {"cells", report.cells.cells},
+                         {"decided", report.wanted ? spoken_share(report.cells.share) : "null"},
                          {"seconds", report.seconds},
                          {"out", report.out},
                          {"sha256", report.sha256}});
@@ -106,22 +145,37 @@ Json to_json(const RectangleReport& report) {
 
 }  // namespace
 
-bool is_rectangle(const Given& given) { return given.text("--rho").find(':') != std::string::npos; }
+bool is_rectangle(const Given& given) {
+    const bool is_one = given.text("--rho").find(':') != std::string::npos;
+    if (given.has("--decided") && !is_one) {
+        throw InputError("--decided is for a rectangle of bodies: --rho LO:HI --inertia LO:HI");
+    }
+    return is_one;
+}
 
 int certify_rectangle(const Given& given) {
     const Rectangle bodies = rectangle_of(given);
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
-    RectangleReport report{bodies, prove_cells(bodies, deadline(budget_of(given)))};
+    RectangleReport report{.bodies = bodies, .wanted = wanted_share(given), .cells = {}};
+    report.cells = with_threads(jobs_of(given), [&] {
+        Progress progress("cells", verbosity_of(given), "proving");
+        return prove_cells(bodies, report.aim(), deadline(budget_of(given)), progress);
+    });
     report.seconds = watch.seconds();
     if (output.is_wanted()) {
         write(report.cells.certificate, output, report);
     }
     fmt::print(output.report(), "{}", shown(report, given));
-    if (report.cells.is_decided()) {
+    if (report.is_done()) {
         return exit_done;
     }
-    complain("one number is not proved of the whole rectangle: it may step there, so try a smaller one");
+    if (stop_signal != 0) {
+        return stopped("what is said, and written, is what was proved until then");
+    }
+    complain(report.wanted ? "less is decided than was asked for: give it more time, or ask for less"
+                           : "one number is not proved of the whole rectangle: it may step there, so try a "
+                             "smaller one, or --decided SHARE");
     return exit_not_certified;
 }
 
