@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "verify/core/section.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
@@ -68,6 +69,7 @@ std::string claim(const Result& result) {
     if (result.proof.other) return result.proof.other->json();
     const Collisions& c = result.proof.claim;
     const auto [from, to] = c.question();
+    const auto& share = result.proof.decided;
     return object({{"scene", json_string(result.proof.section->scene)},
                    {"ratio", range(c.lo, c.hi)},
                    {"rho", range(c.rho)},
@@ -77,6 +79,7 @@ std::string claim(const Result& result) {
                    {"gaps", number(c.gaps)},
                    {"open", number(c.open)},
                    {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
+                   {"decided", string_unless(!share, decimals(share.value_or(0), false))},
                    {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
 }
 

@@ -23,7 +23,7 @@ std::string said_of_cells(const std::string& q, const std::string& rho, const st
         make::closed("dumbbell-certificate 1\ngenerator test 1.0\nlemmas body\nscene body\nsection "
                      "cells\nclaim collisions\nratio " +
                          q + "\nrho " + rho + "\nbits " + bits + "\n" + tree,
-                     {"split", "cell", "open"}),
+                     {"split", "cell", "beyond", "open"}),
         asked);
 }
 
