@@ -125,105 +125,114 @@ class Edge {
     const Interrupted& interrupted_;
 };
 
-/// The length of a side in logs; of one that is a point 1, so that areas are lengths there.
+/// The length of a side in logs; of a single number 1.
 double extent(const Range& side) {
     return side.is_single() ? 1 : std::log1p(Rational((side.hi - side.lo) / side.lo).convert_to<double>());
 }
+double area(const Rectangle& box) { return extent(box.rho) * extent(box.q); }
 
 /// A tree of cells that grows where it is not decided, the greatest cells first, and its certificate.
 class Cutter : SealedLines {
   public:
-    Cutter(std::optional<double> wanted, const Interrupted& interrupted, Observer& observer)
+    Cutter(const std::optional<double>& wanted, const Interrupted& interrupted, Observer& observer)
         : wanted_(wanted), interrupted_(interrupted), observer_(observer) {}
 
     Cells cut(const Rectangle& whole) && {
-        counted_ = extent(whole.rho) * extent(whole.q);
+        const std::size_t most_nodes = wanted_ ? 2'000'000 : 4'000;
+        counted_ = area(whole);
         nodes_.push_back({.box = whole});
         judge_from(0);
-        while (!waiting_.empty() && share() < wanted_.value_or(1) && !interrupted_()) {
-            halve_greatest();
+        while (!waiting_.empty() && share() < wanted_.value_or(1) && nodes_.size() < most_nodes &&
+               !interrupted_()) {
+            judge_from(halve_greatest());
         }
-        finish();
-        return std::move(*this).certificate();
+        head({}, "body", "body", "cells", "collisions");
+        line("ratio {} {}", to_fraction(whole.q.lo), to_fraction(whole.q.hi));
+        line("rho {} {}", to_fraction(whole.rho.lo), to_fraction(whole.rho.hi));
+        line("bits {}", bits);
+        write(nodes_[0]);
+        line("total split {}\ntotal cell {}\ntotal beyond {}\ntotal open {}", nodes_.size() / 2, found_.cells,
+             beyond_, open_);
+        if (open_ + beyond_ > 0) {
+            found_.upper = std::nullopt;
+            found_.lower = 0;
+        }
+        found_.share = share();
+        found_.certificate = std::move(*this).sealed();
+        return std::move(found_);
     }
 
   private:
     static constexpr int bits = 96;               // the verifiers evaluate in another way
     static constexpr std::size_t together = 256;  // whatever the threads: the tree is the same
+    static constexpr int deepest = 60;
 
     struct Node {
         Rectangle box;
         int depth = 0;
         bool is_beyond = false;
-        LowerBound lower{};  ///< 0: not tried
+        LowerBound lower{};
         long most = 0;
         std::optional<UpperBound> upper{};
-        Range Rectangle::*side = nullptr;  ///< to halve, if it is not decided
+        Range Rectangle::*side = nullptr;  ///< to be halved; none if it is decided, or one number is wanted
         std::size_t halves = 0;            ///< the lower one; the upper one follows
-        [[nodiscard]] bool is_decided() const { return upper && most == lower.bound; }
     };
 
-    [[nodiscard]] double share() const { return counted_ > 0 ? decided_ / counted_ : 0; }
+    /// Rounded down, by more than the roundings of doubles.
+    [[nodiscard]] double share() const { return counted_ > 0 ? decided_ / counted_ - 1e-9 : 0; }
 
-    void halve_greatest() {
+    std::size_t halve_greatest() {
         const std::size_t first = nodes_.size();
         for (std::size_t i = 0; i < together && !waiting_.empty(); ++i) {
-            const std::size_t chosen = waiting_.begin()->second;
-            waiting_.erase(waiting_.begin());
-            const auto side = nodes_[chosen].side;
+            const std::size_t chosen = waiting_.extract(waiting_.begin()).value().second;
             nodes_[chosen].halves = nodes_.size();
             for (const bool is_upper : {false, true}) {
                 Node half{.box = nodes_[chosen].box, .depth = nodes_[chosen].depth + 1};
-                Range& range = half.box.*side;
+                Range& range = half.box.*nodes_[chosen].side;
                 (is_upper ? range.lo : range.hi) = (range.lo + range.hi) / 2;
                 nodes_.push_back(std::move(half));
             }
         }
-        judge_from(first);
+        return first;
     }
 
     void judge_from(std::size_t first) {
-        in_parallel(nodes_.size() - first, [&](std::size_t i) {
-            judge(nodes_[first + i]);
-            observer_.advance(1);
-        });
-        const int deepest = wanted_ ? 80 : 20;
-        const std::size_t most_nodes = wanted_ ? 2'000'000 : 4'000;
+        in_parallel(nodes_.size() - first, [&](std::size_t i) { judge(nodes_[first + i]); });
+        observer_.advance(nodes_.size() - first);
         for (std::size_t i = first; i < nodes_.size(); ++i) {
             const Node& node = nodes_[i];
-            const double area = extent(node.box.rho) * extent(node.box.q);
-            if (node.is_decided()) {
-                decided_ += area;
-            } else if (node.is_beyond) {
-                counted_ -= area;
-            } else if (node.side != nullptr && node.depth < deepest && nodes_.size() < most_nodes) {
-                // In single precision areas that are equal but for roundings are so everywhere.
-                waiting_.emplace(-static_cast<float>(area), i);
+            decided_ += node.upper && node.most == node.lower.bound ? area(node.box) : 0;
+            counted_ -= node.is_beyond ? area(node.box) : 0;
+            if (node.side != nullptr && !(node.box.*node.side).is_single() && node.depth < deepest) {
+                // In single precision: areas that are equal but for roundings come in the order of the nodes.
+                waiting_.emplace(-static_cast<float>(area(node.box)), i);
             }
         }
     }
 
     void judge(Node& node) const {
         const auto& [rho, q] = node.box;
-        const auto longer = extent(rho) > extent(q) ? &Rectangle::rho : &Rectangle::q;
+        const auto longer =
+            !rho.is_single() && (q.is_single() || extent(rho) > extent(q)) ? &Rectangle::rho : &Rectangle::q;
         node.is_beyond = wanted_ && rho.hi * q.hi <= 1;
-        if (node.is_beyond) {
-            return;
-        }
         if (wanted_ && rho.lo * q.lo < 1) {
-            node.side = longer;
+            node.side = node.is_beyond ? nullptr : longer;
             return;
         }
         node.lower = least_collisions(node.box, interrupted_);
         node.most = node.lower.bound;
         node.upper = at_most(node.most, node.box, interrupted_);
-        if (!node.upper) {
-            const auto [fewest, seen] = at_corners(node.box);
-            node.most = std::max(node.most + 1, seen);
-            // Where it is one number, the width in rho alone is in the way (L87).
-            node.side = fewest != seen ? wanted_ ? longer : nullptr : &Rectangle::rho;
-            if (node.side != nullptr && (node.box.*node.side).is_single()) {
-                node.side = wanted_ && !q.is_single() ? &Rectangle::q : nullptr;
+        if (node.upper) {
+            return;
+        }
+        // Where it is one number, the width in rho alone is in the way (L87).
+        const auto [fewest, seen] = at_corners(node.box);
+        node.side = fewest == seen && !rho.is_single() ? &Rectangle::rho : wanted_ ? longer : nullptr;
+        constexpr long beyond = 4;
+        for (node.most = std::max(node.most + 1, seen);; ++node.most) {
+            node.upper = at_most(node.most, node.box, interrupted_);
+            if (node.upper || node.most >= seen + beyond) {
+                return;
             }
         }
     }
@@ -237,41 +246,9 @@ class Cutter : SealedLines {
                             at(box.rho.hi, box.q.hi)});
     }
 
-    /// Bounds where one number is not proved.
-    void finish() {
-        in_parallel(nodes_.size(), [&](std::size_t i) {
-            Node& node = nodes_[i];
-            const bool is_open = node.halves == 0 && node.lower.bound > 0 && !node.upper;
-            const long least = node.most, last = least + 4;
-            for (long most = least; is_open && !node.upper && most <= last && !interrupted_(); ++most) {
-                node.most = most;
-                node.upper = at_most(most, node.box, interrupted_);
-            }
-        });
-    }
-
-    Cells certificate() && {
-        const auto& [rho, q] = nodes_[0].box;
-        head({}, "body", "body", "cells", "collisions");
-        line("ratio {} {}", to_fraction(q.lo), to_fraction(q.hi));
-        line("rho {} {}", to_fraction(rho.lo), to_fraction(rho.hi));
-        line("bits {}", bits);
-        found_.share = share();
-        write(nodes_[0]);
-        line("total split {}\ntotal cell {}\ntotal beyond {}\ntotal open {}", splits_, found_.cells, beyond_,
-             open_);
-        if (open_ + beyond_ > 0) {
-            found_.upper = std::nullopt;
-            found_.lower = 0;
-        }
-        found_.certificate = std::move(*this).sealed();
-        return std::move(found_);
-    }
-
     void write(const Node& node) {
         if (node.halves > 0) {
             line("split {}", node.side == &Rectangle::rho ? "rho" : "q");
-            ++splits_;
             write(nodes_[node.halves]);
             write(nodes_[node.halves + 1]);
         } else if (node.upper) {
@@ -301,7 +278,7 @@ class Cutter : SealedLines {
     std::vector<Node> nodes_;
     std::set<std::pair<float, std::size_t>> waiting_;  ///< to be halved, the greatest first
     double decided_ = 0, counted_ = 0;                 ///< areas in (log rho, log Q)
-    long splits_ = 0, beyond_ = 0, open_ = 0;
+    long beyond_ = 0, open_ = 0;
 };
 
 }  // namespace

@@ -28,33 +28,16 @@ using collisions::Rectangle;
 
 struct RectangleReport {
     Rectangle bodies;
-    std::optional<Rational> wanted;  ///< the share whose numbers are to be known; else one number for all
+    std::optional<double> wanted;  ///< the share of it whose numbers are wanted; else one number for all
     collisions::Cells cells;
     double seconds = 0;
     std::optional<std::string> out{}, sha256{};
 
-    /// Beyond roundings.
-    [[nodiscard]] std::optional<double> aim() const {
-        return wanted ? std::optional(wanted->convert_to<double>() + 1e-9) : std::nullopt;
+    [[nodiscard]] bool is_done() const { return wanted ? cells.share >= *wanted : cells.is_decided(); }
+    [[nodiscard]] std::string share() const {
+        return fmt::format("{:.4f}", std::floor(std::max(0.0, cells.share) * 1e4) / 1e4);
     }
-    [[nodiscard]] bool is_done() const { return wanted ? cells.share >= aim() : cells.is_decided(); }
 };
-
-std::optional<Rational> wanted_share(const Given& given) {
-    if (!given.has("--decided")) {
-        return std::nullopt;
-    }
-    const Rational share = parse_number("--decided", given.text("--decided"));
-    if (share > 1) {
-        throw InputError("--decided is a share from 0 to 1, such as 0.99");
-    }
-    return share;
-}
-
-/// Rounded down, by more than the roundings of doubles.
-std::string spoken_share(double share) {
-    return fmt::format("{:.4f}", std::floor(std::max(0.0, share - 1e-9) * 1e4) / 1e4);
-}
 
 Rectangle rectangle_of(const Given& given) {
     for (const char* option : {"RATIO", "--section", "--gap", "--part", "--witness"}) {
@@ -95,8 +78,8 @@ std::string verdict(const RectangleReport& report) {
             "{}: of at least {} of the bodies with Q rho > 1,\n{}, by area in (log rho, log Q),\nthe "
             "greatest "
             "number of times that a {}.\n",
-            report.is_done() ? "Proved" : "Not decided as far as was asked. Proved is this",
-            spoken_share(report.cells.share), where, words.hits);
+            report.is_done() ? "Proved" : "Not decided as far as was asked. Proved is this", report.share(),
+            where, words.hits);
     }
     if (!report.cells.upper) {
         return fmt::format("Not decided: nothing is proved {}.\n", where);
@@ -118,7 +101,7 @@ std::string to_text(const RectangleReport& report) {
     if (report.out && (upper || report.wanted)) {
         text += fmt::format("Check it:    dumbbell verify --rho {} --inertia {} {} {}\n",
                             spelled(rho.lo, rho.hi), spelled(q.lo, q.hi),
-                            report.wanted    ? fmt::format("--decided {}", spoken_share(share))
+                            report.wanted    ? fmt::format("--decided {}", report.share())
                             : upper == lower ? fmt::format("--exactly {}", lower)
                                              : fmt::format("--max {} --min {}", *upper, lower),
                             shell_file(*report.out));
@@ -137,7 +120,7 @@ Json to_json(const RectangleReport& report) {
                          {"upper", report.cells.upper},
                          {"lower", report.cells.lower},
                          {"cells", report.cells.cells},
-                         {"decided", report.wanted ? spoken_share(report.cells.share) : "null"},
+                         {"decided", report.wanted ? std::optional(report.share()) : std::nullopt},
                          {"seconds", report.seconds},
                          {"out", report.out},
                          {"sha256", report.sha256}});
@@ -146,21 +129,23 @@ Json to_json(const RectangleReport& report) {
 }  // namespace
 
 bool is_rectangle(const Given& given) {
-    const bool is_one = given.text("--rho").find(':') != std::string::npos;
-    if (given.has("--decided") && !is_one) {
-        throw InputError("--decided is for a rectangle of bodies: --rho LO:HI --inertia LO:HI");
-    }
-    return is_one;
+    return given.text("--rho").find(':') != std::string::npos || given.has("--decided");
 }
 
 int certify_rectangle(const Given& given) {
     const Rectangle bodies = rectangle_of(given);
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
     const Stopwatch watch;
-    RectangleReport report{.bodies = bodies, .wanted = wanted_share(given), .cells = {}};
+    RectangleReport report{.bodies = bodies, .wanted = {}, .cells = {}};
+    if (given.has("--decided")) {
+        report.wanted = parse_number("--decided", given.text("--decided")).convert_to<double>();
+        if (*report.wanted >= 1) {
+            throw InputError("--decided is a share below 1, such as 0.99");
+        }
+    }
     report.cells = with_threads(jobs_of(given), [&] {
         Progress progress("cells", verbosity_of(given), "proving");
-        return prove_cells(bodies, report.aim(), deadline(budget_of(given)), progress);
+        return prove_cells(bodies, report.wanted, deadline(budget_of(given)), progress);
     });
     report.seconds = watch.seconds();
     if (output.is_wanted()) {

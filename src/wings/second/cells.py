@@ -129,45 +129,19 @@ def log(x):
     return span(total, total + power * 2) * 2 + (log(Fraction(2)) * doublings if doublings else 0)
 
 
-class Part:
-    """What is asked about, of the rectangle `root`: the bounds of the cells that have something of it, and areas in (log rho, log Q)
-    from the edge, Q rho = 1, on, in units of 2^-96."""
-
-    def __init__(self, root, asked):
-        self.root, self.asked = root, asked
-        self.bounds, self.known, self.open = [], 0, 0
-
-    def add(self, box, upper, lower):
-        spend(20_000)
-        set_precision(96)
-        area = self.area(box)
-        if area is None:
-            return
-        self.bounds.append((upper, lower))
-        (q0, q1), (rho0, rho1) = box["q"], box["rho"]
-        if q0 * rho0 >= 1 and upper == lower:
-            self.known += area.lo
-        elif q1 * rho1 > 1:
-            self.open += area.hi
-
-    def area(self, box):
-        """None: it has nothing of it. Along a side that is one number it is the length; of cells that share it the upper one has it."""
-        area = interval(1)
-        for axis, (low, high) in self.asked.items():
-            a, b = max(low, box[axis][0]), min(high, box[axis][1])
-            if a >= b if low < high else a > b or b == box[axis][1] < self.root[axis][1]:
-                return None
-            if low < high:
-                area *= log(Fraction(b) / a)
-        return area
-
-    def joined(self):
-        return joined(self.bounds)
-
-    def decided(self):
-        """At least the share of it, with Q rho > 1, of which one number is proved."""
-        upper, lower = self.joined()
-        return Fraction(1) if upper == lower else Fraction(self.known, max(1, self.known + self.open))
+def area(box, asked, root):
+    """In (log rho, log Q), of what is asked about in the box; None: nothing. Of a single rho or Q it is the length, and of two boxes
+    that share it the upper one has it."""
+    spend(20_000)
+    set_precision(96)
+    size = interval(1)
+    for axis, (low, high) in asked.items():
+        a, b = max(low, box[axis][0]), min(high, box[axis][1])
+        if a >= b if low < high else a > b or b == box[axis][1] < root[axis][1]:
+            return None
+        if low < high:
+            size *= log(Fraction(b) / a)
+    return size
 
 
 def joined(bounds):
@@ -183,8 +157,8 @@ def check(lines, judge, demand):
     if ratios[0] > ratios[1] or not rhos[0] <= rhos[1] <= 1:
         raise lines.wrong("number", "not LO <= HI and R0 <= R1 <= 1")
     bits, = lines.line("bits", "bits")
-    root, bounds = {"q": ratios, "rho": rhos}, []
-    part = Part(root, {"q": demand["inertia"] or ratios, "rho": demand["rho"] or rhos})
+    root, asked = {"q": ratios, "rho": rhos}, {"q": demand["inertia"] or ratios, "rho": demand["rho"] or rhos}
+    bounds, of_part, known, unknown = [], [], 0, 0
 
     def leaf(fields, box, _share):
         kind, *values = fields
@@ -208,10 +182,21 @@ def check(lines, judge, demand):
         judge(lambda: no_more(upper, orbits, end, sides, box["q"][1]) and some_have(lower, j, p, sides, box["q"][0]),
               [*ends(box), *(number for number in (p, *rest[1::2]) if number)], bits, lines.wrong(kind, "not certified"))
 
-    def found(box, *numbers):
-        bounds.append(numbers)
-        part.add(box, *numbers)
+    def found(box, upper, lower):
+        nonlocal known, unknown
+        bounds.append((upper, lower))
+        size = area(box, asked, root)
+        if size is None:
+            return
+        of_part.append((upper, lower))
+        # Above the edge, Q rho = 1; a cell across it counts as a whole.
+        if box["q"][0] * box["rho"][0] >= 1 and upper == lower:
+            known += size.lo
+        elif box["q"][1] * box["rho"][1] > 1:
+            unknown += size.hi
 
     walk(lines, root, leaf)
     source = f"sha256={lines.trailer(['split', 'cell', 'beyond', 'open'])}"
-    return rhos, (*ratios, *part.joined()), (*ratios, *joined(bounds)), part.decided(), source
+    part = joined(of_part)
+    decided = Fraction(1) if part[0] == part[1] else Fraction(known, max(1, known + unknown))
+    return rhos, (*ratios, *part), (*ratios, *joined(bounds)), decided, source

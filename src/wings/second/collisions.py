@@ -8,7 +8,7 @@ import plain
 import tangents
 import turning
 import wedge
-from demand import interval_text, part_text, ratio_text
+from demand import decimals, interval_text, part_text, ratio_text
 from judge import ends
 from tree import walk
 
@@ -51,7 +51,7 @@ class Staircase:
         return (f"scene={self.scene} ratio={interval_text(self.low, self.high)}{rho}"
                 f" upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={number} open={self.open}"
                 f"{gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
-                f"{'' if self.decided is None else f' decided={six_digits(self.decided)}'}"
+                f"{'' if self.decided is None else f' decided={decimals(self.decided, 6)}'}"
                 f"{' heavy-at-most=1' if self.heavy_once else ''}")
 
     def not_demanded(self, demand):
@@ -82,7 +82,7 @@ class Staircase:
             return "not proved: the heavy mass hits the floor at most once"
         if (self.decided or 0) < (demand["decided"] or 0):
             return (f"not proved: the number of collisions for a share {ratio_text(demand['decided'])} of the bodies, only for "
-                    f"{six_digits(self.decided or 0)}")
+                    f"{decimals(self.decided or 0, 6)}")
         return None
 
     def says_nothing(self, demand):
@@ -91,12 +91,6 @@ class Staircase:
             return False
         asked = gaps.asked(self.parts, *demand.ratios(self.low, self.high))
         return any(u is None for u, _ in asked) and any(v == 0 for _, v in asked)
-
-
-def six_digits(share):
-    """Cut off, not rounded."""
-    digits = f"{share.numerator * 10**6 // share.denominator:07d}"
-    return f"{digits[:-6]}.{digits[-6:]}"
 
 
 def covered(intervals, low, high):
