@@ -70,17 +70,18 @@ std::string claim(const Result& result) {
     const Collisions& c = result.proof.claim;
     const auto [from, to] = c.question();
     const auto& share = result.proof.decided;
-    return object({{"scene", json_string(result.proof.section->scene)},
-                   {"ratio", range(c.lo, c.hi)},
-                   {"rho", range(c.rho)},
-                   {"upper", count(c.upper)},
-                   {"lower", json_count(c.lower)},
-                   {"pieces", number(c.pieces)},
-                   {"gaps", number(c.gaps)},
-                   {"open", number(c.open)},
-                   {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
-                   {"decided", string_unless(!share, decimals(share.value_or(0), false))},
-                   {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
+    std::vector<Member> members{{"scene", json_string(result.proof.section->scene)},
+                                {"ratio", range(c.lo, c.hi)},
+                                {"rho", range(c.rho)},
+                                {"upper", count(c.upper)},
+                                {"lower", json_count(c.lower)},
+                                {"pieces", number(c.pieces)},
+                                {"gaps", number(c.gaps)},
+                                {"open", number(c.open)},
+                                {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
+                                {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}};
+    if (share) members.push_back({"decided", json_string(decimals(*share, false))});
+    return object(members);
 }
 
 std::string list(const std::vector<Result>& files) {
