@@ -75,9 +75,8 @@ std::string verdict(const RectangleReport& report) {
                     exact_text(q.hi), exact_text(rho.lo), exact_text(rho.hi));
     if (report.wanted) {
         return fmt::format(
-            "{}: of at least {} of the bodies with Q rho > 1,\n{}, by area in (log rho, log Q),\nthe "
-            "greatest "
-            "number of times that a {}.\n",
+            "{}: of at least {} of the bodies with Q rho > 1,\n{}, by area in (log rho, log Q),\n"
+            "the greatest number of times that a {}.\n",
             report.is_done() ? "Proved" : "Not decided as far as was asked. Proved is this", report.share(),
             where, words.hits);
     }

@@ -162,13 +162,6 @@ class CellReader : public Reader<Cell> {
         if (opcode == "beyond" && cell.box.hi[2] * cell.box.hi[3] > 1)
             text_.reject("beyond", "not certified: R1 B <= 1");
         if (says_nothing) return join(cell.box, {std::nullopt, 0});
-        read_line(cell);
-        explain(cell, path);
-        take(cell);
-        join(cell.box, {cell.upper, cell.lower});
-    }
-
-    void read_line(Cell& cell) {
         if (text_.fields.size() < 6 || text_.fields.size() % 2 != 0)
             text_.reject("syntax", "expected `cell U V j p end`, and pairs `x p`");
         cell.line = text_.line;
@@ -184,6 +177,9 @@ class CellReader : public Reader<Cell> {
         }
         cell.x.push_back(text_.long_natural(5));
         if (cell.lower > cell.upper || cell.upper == 0) text_.reject("number", "not V <= U, 1 <= U");
+        explain(cell, path);
+        take(cell);
+        join(cell.box, {cell.upper, cell.lower});
     }
 
     /// What is said of a cell. Areas are those above the edge, Q rho = 1: a cell across it counts as a whole,

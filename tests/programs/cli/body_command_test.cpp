@@ -1,5 +1,6 @@
 // certify --scene body: rods with mass, and the coin.
-#include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "catch.hpp"
 #include "programs.hpp"
@@ -127,30 +128,22 @@ TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2
 
 TEST_CASE("a share of a rectangle of bodies is proved in cells, and verified of parts, too") {
     const TemporaryFolder folder;
-    const auto certify = [&](const std::string& share, Words words) {
-        for (const char* word : {"certify", "--rho=1/5:1", "--inertia=2:40"}) {
-            words.emplace_back(word);
-        }
-        std::rotate(words.begin(), words.end() - 3, words.end());
-        words.push_back("--decided=" + share);
-        return dumbbell(words, folder.path());
+    const auto run = [&](const std::string& words) {
+        std::istringstream in(words);
+        return dumbbell(Words(std::istream_iterator<std::string>(in), {}), folder.path());
     };
-    const auto verify = [&](Words words, const std::string& file) {
-        words.insert(words.begin(), "verify");
-        words.push_back(file);
-        return dumbbell(words, folder.path());
-    };
-    const Outcome made = certify("0.7", {"--out", "some.dbc"});
+    const std::string certify = "certify --rho 1/5:1 --inertia 2:40 --decided 0.7 ";
+    const Outcome made = run(certify + "--out some.dbc");
     CHECK(made.code == 0);
-    CHECK_THAT(made.out, Contains("Proved: of at least 0.7"));
-    CHECK_THAT(made.out, Contains("dumbbell verify --rho 0.2:1 --inertia 2:40 --decided 0.7"));
-    CHECK(verify({"--decided", "0.7"}, "some.dbc").code == 0);
-    CHECK(verify({"--decided", "0.8"}, "some.dbc").code == 1);
-    CHECK(verify({"--rho", "0.3:0.4", "--inertia", "10:12", "--exactly", "5"}, "some.dbc").code == 0);
-    CHECK(certify("0.7", {"--budget", "0s", "--out", "none.dbc"}).code == 3);
-    CHECK_THAT(verify({}, "none.dbc").out, Contains("s OPEN ") && Contains(" decided=0.000000 "));
-    CHECK(Json::parse(certify("0.7", {"--json"}).out).at("decided").get<std::string>() >= "0.7");
-    CHECK_THAT(certify("1", {}).err, Contains("a share below 1"));
+    CHECK_THAT(made.out, Contains("Proved: of at least 0.7") &&
+                             Contains("dumbbell verify --rho 0.2:1 --inertia 2:40 --decided 0.7"));
+    CHECK(run("verify --decided 0.7 some.dbc").code == 0);
+    CHECK(run("verify --decided 0.8 some.dbc").code == 1);
+    CHECK(run("verify --rho 0.3:0.4 --inertia 10:12 --exactly 5 some.dbc").code == 0);
+    CHECK(run(certify + "--budget 0s --out none.dbc").code == 3);
+    CHECK_THAT(run("verify none.dbc").out, Contains("s OPEN ") && Contains(" decided=0.000000 "));
+    CHECK(Json::parse(run(certify + "--json").out).at("decided").get<std::string>() >= "0.7");
+    CHECK_THAT(run("certify --rho 1/5:1 --inertia 2:40 --decided 1").err, Contains("a share below 1"));
 }
 
 TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {
