@@ -229,12 +229,10 @@ class Cutter : SealedLines {
         const auto [fewest, seen] = at_corners(node.box);
         node.side = fewest == seen && !rho.is_single() ? &Rectangle::rho : wanted_ ? longer : nullptr;
         constexpr long beyond = 4;
-        for (node.most = std::max(node.most + 1, seen);; ++node.most) {
-            node.upper = at_most(node.most, node.box, interrupted_);
-            if (node.upper || node.most >= seen + beyond) {
-                return;
-            }
-        }
+        node.most = std::max(node.most, seen - 1);
+        do {
+            node.upper = at_most(++node.most, node.box, interrupted_);
+        } while (!node.upper && node.most < seen + beyond);
     }
 
     /// The fewest and the most collisions that the bodies at its corners seem to have.
