@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/interrupted.hpp"
+#include "base/observer.hpp"
 #include "collisions/certificate.hpp"
 #include "file/sealed_lines.hpp"
 
@@ -37,6 +38,7 @@ struct UpperBound {
 struct Cells {
     std::optional<long> upper;
     long lower = 0, cells = 0;
+    double share = 0;  ///< of the area in (log rho, log Q) with Q rho > 1, at least: of one number each
     SealedText certificate;
 
     [[nodiscard]] bool is_decided() const { return upper == lower; }
@@ -44,8 +46,10 @@ struct Cells {
 
 /// Whether no body of it has more than most_in_corner collisions in its corner: others are not tried.
 [[nodiscard]] bool is_within_reach(const Rectangle& bodies);
-/// Cuts it along rho where one number seems to be right everywhere. Preconditions: 0 < rho <= 1, 0 < Q; it is
-/// within reach.
-[[nodiscard]] Cells prove_cells(const Rectangle& bodies, const Interrupted& interrupted = never);
+/// Cuts it along rho where one number seems to be right everywhere. If a share is wanted also elsewhere,
+/// until there is so much; cells that the edge, Q rho = 1, cuts are not tried. Ended early it has what was
+/// proved. Preconditions: 0 < rho <= 1, 0 < Q; it is within reach.
+[[nodiscard]] Cells prove_cells(const Rectangle& bodies, const std::optional<double>& wanted = {},
+                                const Interrupted& interrupted = never, Observer& observer = nobody);
 
 }  // namespace dumbbell::collisions

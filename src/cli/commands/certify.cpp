@@ -68,7 +68,8 @@ Examples:
   dumbbell certify --coin                          a thin coin: at most 4 collisions, and 4 occur
   dumbbell certify 10 --rod-mass 1/100             the rod has a hundredth of the mass of its ends
   dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin
-  dumbbell certify --rho 0.3:0.4 --inertia 10:18                a rectangle of bodies: all of them have 5)"},
+  dumbbell certify --rho 0.3:0.4 --inertia 10:18                a rectangle of bodies: all of them have 5
+  dumbbell certify --rho 0.01:1 --inertia 1:100 --decided 0.99 --out plane.dbc    the plane, in cells)"},
     Topic{
         "lists", lists_text,
         R"(--out names a new folder, for the certificates. The same command goes on with the lines that have none yet; until all
@@ -81,14 +82,20 @@ Examples:
 
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
-    std::array{list_option.excludes("RATIO,--coin,--inertia,--part,--witness,--quiet"), strict_option,
-               part_option, certificates_option, jobs_option,
-               budget_option.saying("give up after this time: 30s, 10m, 2h"),
-               flag("--witness",
-                    "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
-                    "collisions, also a start in the air for trace, where one is found")
-                   .excludes("--quiet"),
-               json_option, flag("--quiet", "no table and no progress: what is proved, in a sentence")});
+    std::array{
+        Option{"--decided", "SHARE",
+               "of --rho LO:HI with --inertia LO:HI: the number of each of so many of the bodies with Q "
+               "rho > 1, by area in (log rho, log Q), from 0 to 1; not one number for all of them"}
+            .needs("--rho")
+            .of("bodies"),
+        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), strict_option,
+        part_option, certificates_option, jobs_option,
+        budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        flag("--witness",
+             "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
+             "collisions, also a start in the air for trace, where one is found")
+            .excludes("--quiet"),
+        json_option, flag("--quiet", "no table and no progress: what is proved, in a sentence")});
 
 std::optional<collisions::RatioPart> part_of(const Given& given, const collisions::Claim& whole) {
     if (!given.has("--part")) {

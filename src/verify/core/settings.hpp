@@ -43,6 +43,7 @@ struct Proof {
     const struct Section* section = nullptr;  ///< if the file is about mass ratios
     bool heavy_once = false;                  ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;                         ///< number of root boxes
+    std::optional<mpq_class> decided;         ///< of a rectangle of bodies: at least this share
     bool explained = false;                   ///< the leaf that was asked for exists
     std::vector<Tally> tallies;               ///< split, the opcodes of the section, open
 };

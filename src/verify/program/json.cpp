@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "verify/core/section.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
@@ -68,16 +69,19 @@ std::string claim(const Result& result) {
     if (result.proof.other) return result.proof.other->json();
     const Collisions& c = result.proof.claim;
     const auto [from, to] = c.question();
-    return object({{"scene", json_string(result.proof.section->scene)},
-                   {"ratio", range(c.lo, c.hi)},
-                   {"rho", range(c.rho)},
-                   {"upper", count(c.upper)},
-                   {"lower", json_count(c.lower)},
-                   {"pieces", number(c.pieces)},
-                   {"gaps", number(c.gaps)},
-                   {"open", number(c.open)},
-                   {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
-                   {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
+    const auto& share = result.proof.decided;
+    std::vector<Member> members{{"scene", json_string(result.proof.section->scene)},
+                                {"ratio", range(c.lo, c.hi)},
+                                {"rho", range(c.rho)},
+                                {"upper", count(c.upper)},
+                                {"lower", json_count(c.lower)},
+                                {"pieces", number(c.pieces)},
+                                {"gaps", number(c.gaps)},
+                                {"open", number(c.open)},
+                                {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
+                                {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}};
+    if (share) members.push_back({"decided", json_string(decimals(*share, false))});
+    return object(members);
 }
 
 std::string list(const std::vector<Result>& files) {

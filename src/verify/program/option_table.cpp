@@ -43,7 +43,8 @@ constexpr Option table[] = {
     {"--ydot", "A|LO:HI", "the same"},
     {"--decided", "SHARE",
      "with --claim initial-conditions or incoming: demand the exact number of collisions for at least this "
-     "share of the starts in question, from 0 to 1"},
+     "share of the starts in question, from 0 to 1; of a rectangle of bodies: for this share of those with Q "
+     "rho > 1, by area in (log rho, log Q)"},
     {"--delta", "A|LO:HI", "with --claim adiabatic-...: the delta in question, a part of the file's"},
     {"--heights", "A|LO:HI",
      "the heights in question, a part of the file's (adiabatic-bounce, adiabatic-run)"},
@@ -62,7 +63,7 @@ constexpr Option table[] = {
      "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
      "one another without a hole or an overlap, and what is demanded is about all files as one. "
      "The last line is the verdict on all",
-     [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
+     [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --decided --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
     {"--budget", "TIME",

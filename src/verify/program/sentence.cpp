@@ -68,7 +68,12 @@ std::string about_collisions(const Result& result) {
     std::string where = every(claim.rho ? "Q" : "mass ratio", from, to);
     if (const auto& rhos = claim.rhos ? claim.rhos : claim.rho)
         where += ", " + every("rho", rhos->first, rhos->second);
-    const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
+    const Phrases phrases = phrases_of(result.proof.section->scene);
+    const std::string bounds = bounded(all, phrases);
+    if (const auto& share = result.proof.decided; share && *share < 1 && (*share > 0 || bounds.empty()))
+        return "Proved: of at least " + decimals(*share, false) + " of the bodies with Q rho > 1, " + where +
+               ", by area in (log rho, log Q), the greatest number of times that a " + phrases.hits +
+               (bounds.empty() ? "" : "; and of all of them, " + bounds);
     return (bounds.empty() ? "No bound is proved that holds " + where
                            : "Proved: " + where + (claim.rho ? ", " : " ") + bounds) +
            known(claim) +

@@ -1,12 +1,15 @@
 """Scene body, section cells: format-sections.md, section 6; lemmas L86 and L87. A rectangle of bodies, cut into cells, each of which
 is bounded by its lower and its upper side."""
 
+from fractions import Fraction
+
 from body import MOST_IN_CORNER, corner_has
-from fixed import half_pi, interval, pi, sin_cos
+from fixed import half_pi, interval, pi, set_precision, sin_cos, span
 from judge import ends
 from rays import at_least, at_most, earliest, latest, slope_above
 from tangents import Valley
 from tree import walk
+from work import spend
 
 
 def has(count, rho, q):
@@ -113,20 +116,57 @@ def some_have(lower, j, p, rhos, q):
             at_least(pi() * slope, slope, r, count))
 
 
-def check(lines, judge):
-    """Reads the file from its line `ratio` on; returns [LO, HI], [R0, R1], U (or None), V and the checksum."""
+def log(x):
+    """Encloses the logarithm of a fraction x >= 1: the powers of 2 in it, and 2 atanh(t), t = (x - 1)/(x + 1) <= 1/3, of what is left."""
+    doublings = 0
+    while x > 2:
+        x, doublings = x / 2, doublings + 1
+    t = interval((x - 1) / (x + 1))
+    power, square, total, n = t, t * t, interval(0), 1
+    while power.hi > 1:
+        total, power, n = total + power / n, power * square, n + 2
+    # What is left out is at most power (1 + t^2 + t^4 + ...) / n <= 9/8 power.
+    return span(total, total + power * 2) * 2 + (log(Fraction(2)) * doublings if doublings else 0)
+
+
+def area(box, asked, root):
+    """In (log rho, log Q), of what is asked about in the box; None: nothing. Of a single rho or Q it is the length, and of two boxes
+    that share it the upper one has it."""
+    spend(20_000)
+    set_precision(96)
+    size = interval(1)
+    for axis, (low, high) in asked.items():
+        a, b = max(low, box[axis][0]), min(high, box[axis][1])
+        if a >= b if low < high else a > b or b == box[axis][1] < root[axis][1]:
+            return None
+        if low < high:
+            size *= log(Fraction(b) / a)
+    return size
+
+
+def joined(bounds):
+    """U, or None, and V of all."""
+    uppers, lowers = zip(*bounds or [(None, 0)])
+    return None if None in uppers else max(uppers), min(lowers)
+
+
+def check(lines, judge, demand):
+    """Reads the file from its line `ratio` on; returns [R0, R1], the piece [LO, HI] with U (or None) and V of the part that is asked
+    about, the same of all, the share of the part that is decided, and the checksum."""
     ratios, rhos = (tuple(lines.line(name, "ratio", "ratio")) for name in ("ratio", "rho"))
     if ratios[0] > ratios[1] or not rhos[0] <= rhos[1] <= 1:
         raise lines.wrong("number", "not LO <= HI and R0 <= R1 <= 1")
     bits, = lines.line("bits", "bits")
-    uppers, lowers = [], []
+    root, asked = {"q": ratios, "rho": rhos}, {"q": demand["inertia"] or ratios, "rho": demand["rho"] or rhos}
+    bounds, of_part, known, unknown = [], [], 0, 0
 
     def leaf(fields, box, _share):
         kind, *values = fields
-        if kind == "open" and not values:
+        if kind in ("open", "beyond") and not values:
             lines.count(kind)
-            uppers.append(None)
-            lowers.append(0)
+            if kind == "beyond" and box["q"][1] * box["rho"][1] > 1:
+                raise lines.wrong(kind, "not certified: R1 B <= 1")
+            found(box, None, 0)
             return
         if kind != "cell":
             raise lines.wrong("opcode", "not a line for this place")
@@ -137,12 +177,26 @@ def check(lines, judge):
         lines.count(kind)
         if lower > upper or upper == 0:
             raise lines.wrong("number", "not V <= U, 1 <= U")
-        uppers.append(upper)
-        lowers.append(lower)
+        found(box, upper, lower)
         orbits, sides = list(zip(rest[::2], rest[1::2])), box["rho"]
         judge(lambda: no_more(upper, orbits, end, sides, box["q"][1]) and some_have(lower, j, p, sides, box["q"][0]),
               [*ends(box), *(number for number in (p, *rest[1::2]) if number)], bits, lines.wrong(kind, "not certified"))
 
-    walk(lines, {"q": ratios, "rho": rhos}, leaf)
-    source = f"sha256={lines.trailer(['split', 'cell', 'open'])}"
-    return ratios, rhos, None if None in uppers else max(uppers), min(lowers), source
+    def found(box, upper, lower):
+        nonlocal known, unknown
+        bounds.append((upper, lower))
+        size = area(box, asked, root)
+        if size is None:
+            return
+        of_part.append((upper, lower))
+        # Above the edge, Q rho = 1; a cell across it counts as a whole.
+        if box["q"][0] * box["rho"][0] >= 1 and upper == lower:
+            known += size.lo
+        elif box["q"][1] * box["rho"][1] > 1:
+            unknown += size.hi
+
+    walk(lines, root, leaf)
+    source = f"sha256={lines.trailer(['split', 'cell', 'beyond', 'open'])}"
+    part = joined(of_part)
+    decided = Fraction(1) if part[0] == part[1] else Fraction(known, max(1, known + unknown))
+    return rhos, (*ratios, *part), (*ratios, *joined(bounds)), decided, source

@@ -41,7 +41,7 @@ def check(lines, demand, judge):
         raise Unsupported(f"no section {header[2]} of the scene {header[1]} with lemmas {header[0]}")
     claim, = lines.line("claim", "word")
     if claim == "collisions" and header in collisions.SECTIONS:
-        proof = collisions.check(lines, header, judge)
+        proof = collisions.check(lines, header, judge, demand)
     elif demand.is_part:
         raise Unreadable("--together is about ranges of mass ratios, and this file is about something else")
     elif claim in ("initial-conditions", "incoming") and header == initial.HEADER:

@@ -61,6 +61,12 @@ def ratio_text(ratio):
     return f"{ratio.numerator}/{ratio.denominator}"
 
 
+def decimals(share, places):
+    """Cut off, not rounded."""
+    digits = f"{share.numerator * 10**places // share.denominator:0{places + 1}d}"
+    return f"{digits[:-places]}.{digits[-places:]}"
+
+
 def spelled(value):
     """An interval, a fraction, a whole number or a word."""
     if isinstance(value, tuple):

@@ -31,7 +31,8 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --phi, --phidot, --y, --ydot A|LO:HI
                         with --claim initial-conditions: the starts in question; default: the box of the file
   --decided SHARE       with --claim initial-conditions or incoming: demand the proof of the number of collisions on
-                        this share of what is in question, from 0 to 1
+                         this share of what is in question, from 0 to 1; of a rectangle of bodies: of those with
+                         Q rho > 1, by area in (log rho, log Q)
   --scene dumbbell|body
                         demand this scene; default: what the other options state, dumbbell or body, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming; of kinds that it does not
@@ -97,6 +98,8 @@ def jobs(asked, files, claim, claims):
         if not files:
             raise Usage("no FILE; see --help")
         demand = demand_of(claim)
+        if asked.together and "decided" in claim:
+            raise Usage("--together and --decided exclude each other; see --help")
         return [(path, demand) for path in files]
     if claim:
         raise Usage(f"--claims and --{next(iter(claim))} exclude each other; see --help")

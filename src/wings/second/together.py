@@ -15,6 +15,7 @@ def together(files, demand):
         raise worst.why
     chain = sorted(((name, one.proof) for name, one in files), key=lambda file: (file[1].low, file[1].high))
     (_, first), pieces = chain[0], list(chain[0][1].pieces)
+    told = [piece for _, proof in chain for piece in proof.told]
     for (before, _), (name, proof) in zip(chain, chain[1:]):
         end = pieces[-1][1]
         if (proof.scene, proof.rho) != (first.scene, first.rho):
@@ -23,7 +24,7 @@ def together(files, demand):
             raise Rejected(0, "chain", f"{'a hole' if proof.low > end else 'an overlap'}: {before} ends at {ratio_text(end)}, and "
                                        f"{name} begins at {ratio_text(proof.low)}")
         pieces += proof.pieces
-    whole = Staircase(first.scene, first.rho, all(proof.heavy_once for _, proof in chain), pieces, f"files={len(files)}")
+    whole = Staircase(first.scene, first.rho, all(proof.heavy_once for _, proof in chain), pieces, f"files={len(files)}", told)
     if not (demand["ratio"] or demand["inertia"]):
         whole.parts = [part for _, proof in chain for part in proof.whole()]
     missing = whole.missing(demand)

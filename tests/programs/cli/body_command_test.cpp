@@ -1,4 +1,7 @@
 // certify --scene body: rods with mass, and the coin.
+#include <iterator>
+#include <sstream>
+
 #include "catch.hpp"
 #include "programs.hpp"
 
@@ -50,7 +53,6 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK(open.err == "dumbbell: not decided: allow more time (--budget)\n");
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
                Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
-    CHECK_THAT(refused_body({"--rho", "1/2:0.51", "--inertia", "9"}), Contains("--rho is one number"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
                Contains("proved by their tangents, or by --section plain"));
     CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--scene body needs --rho"));
@@ -122,6 +124,26 @@ TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2
     CHECK(verifier({"--rho", "0.25", "--inertia", "4:30", "--max", "7", "--min", "3", "--gap", "1e-6",
                     "--gaps", "2", folder / "range.dbc"})
               .code == 0);
+}
+
+TEST_CASE("a share of a rectangle of bodies is proved in cells, and verified of parts, too") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& words) {
+        std::istringstream in(words);
+        return dumbbell(Words(std::istream_iterator<std::string>(in), {}), folder.path());
+    };
+    const std::string certify = "certify --rho 1/5:1 --inertia 2:40 --decided 0.7 ";
+    const Outcome made = run(certify + "--out some.dbc");
+    CHECK(made.code == 0);
+    CHECK_THAT(made.out, Contains("Proved: of at least 0.7") &&
+                             Contains("dumbbell verify --rho 0.2:1 --inertia 2:40 --decided 0.7"));
+    CHECK(run("verify --decided 0.7 some.dbc").code == 0);
+    CHECK(run("verify --decided 0.8 some.dbc").code == 1);
+    CHECK(run("verify --rho 0.3:0.4 --inertia 10:12 --exactly 5 some.dbc").code == 0);
+    CHECK(run(certify + "--budget 0s --out none.dbc").code == 3);
+    CHECK_THAT(run("verify none.dbc").out, Contains("s OPEN ") && Contains(" decided=0.000000 "));
+    CHECK(Json::parse(run(certify + "--json").out).at("decided").get<std::string>() >= "0.7");
+    CHECK_THAT(run("certify --rho 1/5:1 --inertia 2:40 --decided 1").err, Contains("a share below 1"));
 }
 
 TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {

@@ -2,10 +2,12 @@
 // proved.
 #include "collisions/cells.hpp"
 
+#include <atomic>
 #include <tuple>
 
 #include "attacks/oracle/tangents.hpp"
 #include "catch.hpp"
+#include "number/parallel.hpp"
 #include "scale.hpp"
 
 using namespace dumbbell;
@@ -70,4 +72,18 @@ TEST_CASE("A rectangle is decided up to a thousandth of its width from the steps
     }
     const Cells across = cells_of(0.1, 0.9, 8, 100);
     CHECK((!across.is_decided() && across.lower == 3 && across.upper == 15 && across.cells == 1));
+}
+
+TEST_CASE(
+    "A share that is wanted is reached, by one tree whatever the threads, which what is cut off keeps") {
+    const Rectangle bodies{{exact(0.25), 1}, {2, 20}};
+    const auto cells = [&](int jobs, const Interrupted& interrupted) {
+        return with_threads(jobs, [&] { return prove_cells(bodies, 0.8, interrupted); });
+    };
+    const Cells found = cells(1, never);
+    CHECK((found.share >= 0.8 && found.share < 0.95));
+    CHECK(cells(3, never).certificate.sha256 == found.certificate.sha256);
+    std::atomic<int> asked = 0;
+    const Cells less = cells(1, [&] { return ++asked > 3; });
+    CHECK((less.share > 0 && less.share < 0.8 && less.cells > 0));
 }

@@ -16,15 +16,18 @@ struct CoarseValley : dumbbell_verify::Valley<Big> {
         Valley::over_bridge, Valley::passes_bridge, Valley::Ray;
 };
 
+std::string cells_text(const std::string& q, const std::string& rho, const std::string& tree,
+                       const std::string& bits = "53") {
+    return make::closed(
+        "dumbbell-certificate 1\ngenerator test 1.0\nlemmas body\nscene body\nsection "
+        "cells\nclaim collisions\nratio " +
+            q + "\nrho " + rho + "\nbits " + bits + "\n" + tree,
+        {"split", "cell", "beyond", "open"});
+}
 std::string said_of_cells(const std::string& q, const std::string& rho, const std::string& tree,
                           const std::string& bits = "53",
                           const dumbbell_verify::Request& asked = make::asking("body")) {
-    return make::outcome(
-        make::closed("dumbbell-certificate 1\ngenerator test 1.0\nlemmas body\nscene body\nsection "
-                     "cells\nclaim collisions\nratio " +
-                         q + "\nrho " + rho + "\nbits " + bits + "\n" + tree,
-                     {"split", "cell", "open"}),
-        asked);
+    return make::outcome(cells_text(q, rho, tree, bits), asked);
 }
 
 struct Base {
@@ -108,6 +111,47 @@ TEST_CASE("section cells: true cells are accepted, in trees, and what is no cell
     CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "outside\n") == "opcode");
     CHECK(said_of_cells("8/1 9/1", "1/2 17/16", five) == "number");
     CHECK(said_of_cells("8/1 9/1", "1/2 9/16", "cell 5 5 1 0b0 2\n") == "cell");
+}
+
+TEST_CASE("section cells: the share is a ratio of areas in logs, rounded down, of the part in question") {
+    const std::string five = "cell 5 5 1 21b-6 2\n", wide = "cell 5 4 1 11b-5 2\n",
+                      three = "cell 3 3 0 0b0 2 1 3b-8\n";
+    const auto share = [](const std::string& q, const std::string& rho, const std::string& tree,
+                          const dumbbell_verify::Collisions& demand = {}) {
+        auto asked = make::asking("body");
+        asked.demand = demand;
+        return verify(make::File(cells_text(q, rho, tree)).path(), asked).decided.value().get_d();
+    };
+    const auto is = [](double x) { return Approx(x).epsilon(1e-14); };
+    const double half = std::log(1.0625) / std::log(1.125);  // of both sides
+    CHECK(share("8/1 9/1", "1/2 9/16", five) == 1);
+    CHECK(share("8/1 9/1", "1/2 9/16", "open\n") == 0);
+    CHECK(share("8/1 9/1", "1/2 9/16", "split q\n" + five + wide) == is(half));
+    CHECK(share("8/1 9/1", "1/2 9/16", "split rho\nsplit q\n" + five + "open\n" + five) ==
+          is(half * half + 1 - half));
+    const std::string split = "split rho\n" + five + "open\n";
+    using dumbbell_verify::Range;
+    dumbbell_verify::Collisions part;
+    part.ratios = Range(8, mpq_class(17, 2));
+    part.rhos = Range(mpq_class(33, 64), mpq_class(35, 64));
+    CHECK(share("8/1 9/1", "1/2 9/16", split, part) == is(std::log(34.0 / 33) / std::log(35.0 / 33)));
+    part.rhos = Range(mpq_class(17, 32), mpq_class(17, 32));  // the end of both: it is in the upper one
+    CHECK(share("8/1 9/1", "1/2 9/16", split, part) == 0);
+    CHECK(share("8/1 9/1", "1/2 9/16", "split rho\nopen\n" + five, part) == 1);
+    for (const std::string below : {"beyond\n", "open\n", "cell 3 3 0 0b0 1\n"})
+        CHECK(share("1/1 3/1", "1/2 1/2", "split q\n" + below + "split q\n" + three + "open\n") ==
+              is(std::log(1.25) / std::log(1.5)));
+    CHECK(share("3/2 3/1", "1/2 9/16", "split q\n" + three + "split q\n" + three + "open\n") ==
+          is(std::log(2.625 / 2.25) / std::log(2)));  // the lower cell is across the edge
+}
+
+TEST_CASE("section cells: what is beyond the edge does not count, and is no bound") {
+    CHECK(said_of_cells("1/1 2/1", "1/4 1/2", "beyond\n") == "verified");
+    CHECK(said_of_cells("1/1 2/1", "1/4 1/2", "beyond 1\n") == "opcode");
+    CHECK(said_of_cells("1/1 2/1", "1/4 513/1024", "beyond\n") == "beyond");
+    auto asked = make::asking("body");
+    asked.demand.most = 100;
+    CHECK(said_of_cells("1/1 2/1", "1/4 1/2", "beyond\n", "53", asked) == "claim-not-proved");
 }
 
 TEST_CASE("section cells: a mutant that is accepted is true") {
