@@ -104,8 +104,7 @@ bool has_orbits(const CertifyRequest& request) { return row_of(request.claim.sys
 CertifyRequest certify_request(const Given& given, const std::optional<std::string>& line = std::nullopt) {
     CertifyRequest request{.claim = claim_of(given, line)};
     if (given.has("--witness") && !has_orbits(request)) {
-        throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
-                                     row_of(request.claim.system.section).scene));
+        throw InputError("--witness prints orbits of the dumbbell, not of bodies: leave it out");
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);

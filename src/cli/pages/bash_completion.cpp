@@ -14,7 +14,7 @@ constexpr const char* head = R"(# bash completion for dumbbell and dumbbell-veri
 _dumbbell() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=dumbbell
     local i words='' options='' files=''
-    # Bash takes = for a word of its own: --scene=body is three.
+    # Bash takes = for a word of its own: --section=full is three.
     if [[ $before == = ]]; then
         before=${COMP_WORDS[COMP_CWORD - 2]}
     elif [[ $word == = ]]; then

@@ -79,7 +79,6 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 
 constexpr std::array start_options{
     ratio_option,
-    Option{"--scene", "dumbbell|body", "a massless dumbbell, or a rigid body", "dumbbell"},
     list_option.excludes("RATIO,--quiet,--coin,--rho,--inertia,--rod-mass"),
     strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
