@@ -8,7 +8,6 @@
 #include "base/deadline.hpp"
 #include "base/error.hpp"
 #include "flight/macro/when.hpp"
-#include "number/count_argument.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
@@ -37,21 +36,6 @@ std::chrono::duration<double> processor_time() {
 }
 
 }  // namespace
-
-Request part_of(const Part& part, long first, long last) {
-    if (first == last) {
-        throw InputError("--part is for a range N1:N2: a single critical ratio has no parts");
-    }
-    // Measured with 15 and 50 digits: an enclosure costs about as much as 30 collisions, and those of its
-    // orbit. Long orbits cost the same, or little more, however long they are.
-    const long fixed = flight::macro::is_long(first) ? greatest_count : 30;
-    const auto [begin, end] = steps_of(part, {first, last + 1, fixed});
-    Request request;
-    request.first = begin.convert_to<long>();
-    request.last = end.convert_to<long>() - 1;
-    request.part = {part, first, last};
-    return request;
-}
 
 std::vector<Row> enclose_ratios(const Request& request) {
     require_sound_arithmetic();

@@ -8,22 +8,13 @@
 #include "base/observer.hpp"
 #include "critical/bodies.hpp"
 #include "critical/enclose.hpp"
-#include "number/part.hpp"
 
 namespace dumbbell::critical {
-
-/// A part of the critical ratios q_c(first), ..., q_c(last).
-struct CountPart {
-    Part part;
-    long first = 3;
-    long last = 3;
-};
 
 struct Request {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
     long last = 3;
-    std::optional<CountPart> part;  ///< where they are only that
-    std::optional<Bodies> bodies;   ///< whose steps they are instead; of rods all that are found
+    std::optional<Bodies> bodies;  ///< whose steps they are instead; of rods all that are found
     int digits = 15;
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
@@ -31,9 +22,6 @@ struct Request {
 
     [[nodiscard]] long size() const { return last - first + 1; }
 };
-
-/// Of parts that take about as long each. Throws InputError for a single ratio, and if a part would be empty.
-[[nodiscard]] Request part_of(const Part& part, long first, long last);
 
 /// One row per n, in order; the rows do not depend on the number of jobs. Of rods one per fall of N, from the
 /// lightest on, and one more without a ratio if not all were enclosed. Throws BrokenInvariant if the

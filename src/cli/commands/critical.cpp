@@ -32,7 +32,6 @@ Examples:
   dumbbell critical 3:20                                 the first 18 steps
   dumbbell critical 10^12 --digits 50                    a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
-  dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
   dumbbell critical 4:9 --rho 1/2                        of bodies with this rho: N or more collisions iff Q > Q_c(N)
   dumbbell critical --ratio 10 --rod-mass                masses of the dumbbell's rod at which N falls
 
@@ -45,12 +44,11 @@ SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 constexpr std::array critical_options{
     argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2"),
     Option{"--rho", "RHO", "of rigid bodies with this d2/d1: the Q = (d1/k)^2 at which N steps"}.excludes(
-        "--part,--ratio"),
-    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N,--part"),
+        "--ratio"),
+    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N"),
     flag("--rod-mass", "the masses of its uniform rod, in units of that of both ends, at which N falls")
         .needs("--ratio"),
     Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, critical::most_digits),
-    part_option,
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),
@@ -123,12 +121,8 @@ critical::Request critical_request(const Given& given) {
     if (given.has("N") == (bodies && bodies->have_rods)) {
         throw InputError("critical needs N or N1:N2, or --ratio RATIO --rod-mass");
     }
-    const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
     if (given.has("N")) {
-        std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
-    }
-    if (given.has("--part")) {
-        request = critical::part_of(part, request.first, request.last);
+        std::tie(request.first, request.last) = parse_counts(given.text("N"));
     }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
