@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <ctime>
 
 #include "base/deadline.hpp"
-#include "base/error.hpp"
 #include "flight/macro/when.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
@@ -26,13 +24,6 @@ double flights(const Request& request) {
     return number(request.first, followed) * static_cast<double>(request.first + followed) / 4 +
            number(jumped, request.last) * flight::macro::first_long / 2 *
                (1 + std::log10(std::max(1.0, longer)));
-}
-
-/// Of this thread: however busy the machine is, the same work takes as much.
-std::chrono::duration<double> processor_time() {
-    timespec now{};
-    require(clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0, "no clock for the time of a thread");
-    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
 }
 
 }  // namespace
@@ -63,22 +54,6 @@ std::vector<Row> enclose_ratios(const Request& request) {
         });
     });
     return rows;
-}
-
-std::chrono::duration<double> estimated_time(const Request& request) {
-    constexpr long sample_flights = 31, sample = 2 * sample_flights;  // a few milliseconds
-    // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
-    const double longer = static_cast<double>(std::min(request.last, flight::macro::first_long)) / sample;
-    const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
-    const auto enclose = [&] {
-        const auto start = processor_time();
-        (void)enclose_ratio(sample, {.digits = std::min(request.digits + lost, most_digits)});
-        return processor_time() - start;
-    };
-    (void)enclose();  // the first one also fills caches
-    const auto time = enclose();
-    const double together = std::min<double>(request.jobs, static_cast<double>(request.size()));
-    return time * (flights(request) / sample_flights) / together;
 }
 
 double share_of_first(std::size_t ratios, const Request& request) {

@@ -28,11 +28,7 @@ struct Request {
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<Row> enclose_ratios(const Request& request);
 
-/// About how long the enclosures will take, from the processor time that a small one
-/// takes here: on a machine that does nothing else.
-[[nodiscard]] std::chrono::duration<double> estimated_time(const Request& request);
-
-/// The share of that time which the first so many ratios take, from 0 to 1: orbits get longer.
+/// The share of the time which the first so many ratios take, from 0 to 1: orbits get longer.
 [[nodiscard]] double share_of_first(std::size_t ratios, const Request& request);
 
 }  // namespace dumbbell::critical

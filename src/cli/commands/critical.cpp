@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <chrono>
 #include <tuple>
 
 #include "base/deadline.hpp"
@@ -57,29 +56,6 @@ constexpr std::array critical_options{
     json_option,
     flag("--quiet", "the ratios alone, a line each, and no progress")};
 
-/// Without --budget nothing longer is begun.
-constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
-/// What takes longer is announced.
-constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
-
-/// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
-void check_time(const critical::Request& request, bool quiet) {
-    if (request.budget) {
-        return;
-    }
-    const auto time = estimated_time(request);
-    const std::string text = time_text(time.count());
-    if (time > long_time) {
-        throw InputError(
-            fmt::format("this would take about {} ({}): ask for less, or give a --budget, for "
-                        "example --budget 2h",
-                        text, plural(request.jobs, "thread")));
-    }
-    if (time > some_time && !quiet) {
-        remark("this will take about " + text);
-    }
-}
-
 std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
@@ -128,9 +104,7 @@ critical::Request critical_request(const Given& given) {
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
     request.bodies = bodies;
-    if (!bodies) {
-        check_time(request, given.has("--quiet"));
-    } else if (!bodies->have_rods) {
+    if (bodies && !bodies->have_rods) {
         check_counts(request);
     }
     return request;

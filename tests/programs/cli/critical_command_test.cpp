@@ -66,23 +66,6 @@ TEST_CASE("critical takes every spelling of a whole number, and encloses those o
                Contains("By interval Newton") && Contains("From N = 20001 on, just below it"));
 }
 
-TEST_CASE("critical does not begin what takes days, unless it is given a budget") {
-    for (const char* count : {"3:1000000", "3:500000"}) {
-        const std::string message = refused({"critical", count, "--out", "file.tsv"});
-        CHECK_THAT(message, Contains("would take about") && Contains("--budget"));
-    }
-}
-
-TEST_CASE("critical says how long a long computation will take before it begins") {
-    const TemporaryFolder folder;
-    Process process({DUMBBELL_BIN, "critical", "15000:25000", "--jobs", "1"}, folder.path());
-    process.until([&] { return process.cpu_seconds() > 0.7; });
-    process.send(SIGTERM);
-    const Outcome outcome = process.wait();
-    CHECK(outcome.signal == SIGTERM);
-    CHECK_THAT(outcome.err, StartsWith("dumbbell: this will take about ") && Contains(" min\n"));
-}
-
 TEST_CASE("critical refuses options out of range") {
     CHECK_THAT(refused({"critical", "4", "--budget", "5"}), Contains("30s"));
     CHECK_THAT(refused({"critical", "4", "--out", "no/such/folder/file.tsv"}), Contains("no/such/folder"));

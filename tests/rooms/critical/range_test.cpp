@@ -74,13 +74,6 @@ TEST_CASE("What is not done within the budget stays open") {
     }
 }
 
-TEST_CASE("The time is estimated from the number of flights") {
-    using namespace std::chrono_literals;
-    CHECK(estimated_time(request(4, 4)) < 10s);
-    CHECK(estimated_time(request(1'000'000'000'000, 1'000'000'000'000)) < 10min);  // by macro steps
-    CHECK(estimated_time(request(3, 1'000'000)) > 24h);
-}
-
 TEST_CASE("The first half of a range takes a quarter of the time, as orbits get longer") {
     CHECK(share_of_first(9'999, request(3, 20'000)) == Approx(0.25).margin(0.001));
     CHECK(share_of_first(1, request(3, 4)) == Approx(3.0 / 7));
