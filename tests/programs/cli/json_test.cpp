@@ -252,18 +252,4 @@ TEST_CASE("docs/reference/json.md describes the JSON of verify", "[wings]") {
         }
     }
     check_documented("verify", objects);
-
-    const auto without_files = [&](Words more) {
-        more.insert(more.begin(), {"verify", "--json"});
-        OrderedJson object = printed(dumbbell(more, folder.path()));
-        for (OrderedJson& file : object.at("files")) {
-            CHECK(file.at("schema") == "dumbbell-verify-1");
-            file = nullptr;  // described above
-        }
-        return object;
-    };
-    check_documented("verify --together",
-                     {without_files({"--together", "--ratio", "10", "--max", "4", "--min", "4", "ten.dbc"}),
-                      without_files({"--together", "--coin", "--gap", "0", "coin.dbc"}),
-                      without_files({"--together", "--max", "3", "ten.dbc"})});
 }
