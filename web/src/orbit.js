@@ -27,15 +27,6 @@ export function orbitFromStart({ q, phi, phidot, y, ydot }) {
     return forward(q, state, null, { ...state, until: 0 });
 }
 
-/// The orbit from just before a contact on, of a state on the floor.
-export function orbitFromContact(q, state, heavy) {
-    const r = 1 / q;
-    const after = reflected(state, heavy, r);
-    const back = shownAfter({ y: state.y, ...reversed(state) });
-    const collision = { t: 0, psi: state.psi, y: state.y, heavy, before: { vpsi: state.vpsi, vy: state.vy }, after };
-    return forward(q, { ...state, ...after, t: 0 }, collision, { ...state, t: 0, until: -back });
-}
-
 /// Of a body with the heights rho (L70): q is its Q.
 export function forward(q, state, collision, first, rho = 1 / q) {
     const collisions = collision ? [collision] : [];

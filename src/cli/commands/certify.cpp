@@ -80,6 +80,10 @@ Examples:
   dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates
   dumbbell certify --list inertias.txt --rho 1/2       each Q of a file)"}};
 
+/// With --list it may be a folder's name.
+constexpr Option out_option = certificate_option.checked(
+    [](const std::string& name) { return name.empty() ? fault_of_name(name, std::nullopt) : std::string(); });
+
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
     std::array{
@@ -88,9 +92,8 @@ constexpr std::array certify_options = joined(
                "rho > 1, by area in (log rho, log Q), from 0 to 1; not one number for all of them"}
             .needs("--rho")
             .of("bodies"),
-        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), strict_option,
-        part_option, certificates_option, jobs_option,
-        budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), part_option,
+        out_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
              "collisions, also a start in the air for trace, where one is found")
@@ -113,8 +116,7 @@ bool has_orbits(const CertifyRequest& request) { return row_of(request.claim.sys
 CertifyRequest certify_request(const Given& given, const std::optional<std::string>& line = std::nullopt) {
     CertifyRequest request{.claim = claim_of(given, line)};
     if (given.has("--witness") && !has_orbits(request)) {
-        throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
-                                     row_of(request.claim.system.section).scene));
+        throw InputError("--witness prints orbits of the dumbbell, not of bodies: leave it out");
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
@@ -252,7 +254,9 @@ int run_certify(const Given& given) {
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
     }
-    require_certificate_name(given);
+    if (given.has("--out")) {
+        require_name_of(given.text("--out"), Content::certificate);
+    }
     if (is_rectangle(given)) {
         return certify_rectangle(given);
     }

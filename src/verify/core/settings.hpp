@@ -17,7 +17,6 @@ struct Settings {
     std::string explain;       ///< PIECE:PATH or box.PATH, the leaf to show
     std::string scene, claim;  ///< demanded scene and kind; empty: none
     bool shares = false;       ///< of the numbers of collisions, from a box of starts
-    bool together = false;     ///< the demand is on several files as one: this one need not prove it
     bool heavy_once = false;   ///< demanded: the heavy mass touches at most once
     Collisions demand;
 

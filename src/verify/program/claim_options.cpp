@@ -157,12 +157,8 @@ void state_claim(const ClaimWords& words, Request& settings) {
     require_fitting_kind(settings);
 }
 
-const Collisions& own_demand(const Settings& settings) {
-    static const Collisions nothing;
-    return settings.together ? nothing : settings.demand;
-}
-
-std::string demand_text(const Request& settings, const Collisions& demand) {
+std::string demand_text(const Request& settings) {
+    const Collisions& demand = settings.demand;
     std::string text;
     const bool both = demand.most && demand.most == demand.least;
     if (demand.ratios)

@@ -38,7 +38,7 @@ Result examine(const Job& job) {
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {Verdict::unreadable, 0, "usage",
                           "there is no leaf " + settings.explain + "; " + trees(result.proof)};
-        else if (!settings.together && result.proof.says_nothing(settings.demand))
+        else if (result.proof.says_nothing(settings.demand))
             result.why = nothing_proved();
     } catch (Failure& failure) {
         result.why = std::move(failure);

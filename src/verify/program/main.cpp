@@ -10,14 +10,11 @@
 #include <stdexcept>
 
 #include "verify/machine/environment.hpp"
-#include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/json.hpp"
 #include "verify/program/options.hpp"
 #include "verify/program/progress.hpp"
-#include "verify/program/sentence.hpp"
 #include "verify/program/summary.hpp"
-#include "verify/program/together.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -54,27 +51,6 @@ Verdict verify_each(const Options& options, Progress& progress) {
     else if (several)
         print_line(summary_line(results));
     return worst(results);
-}
-
-/// All files as one. The verdict on the whole is the only line with `s`.
-Verdict verify_together(const Options& options, Progress& progress) {
-    const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
-        const auto lock = progress.hidden();
-        if (r.is_right() && !options.json && !options.quiet)
-            print_line(leading_name(r.job->file) + "\n  " + result_text(r));
-    });
-    const std::string files = std::to_string(results.size());
-    const Job& asked = *results.front().job;
-    const Result all = together(asked, results);
-    const Verdict verdict = all.why.verdict;
-    const std::string demand = demand_text(asked.settings, asked.settings.demand);
-    const std::string text = all.is_right()
-                                 ? claim_text(all.proof) + " files=" + files + demand + left_out(all)
-                                 : result_text(all);
-    const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
-    if (all.is_right() && !options.json && !options.quiet) std::fputs(sentence(all).c_str(), stdout);
-    print_line(options.json ? json(all, results) : line);
-    return verdict;
 }
 
 /// GMP and MPFR cannot be told that there is no memory, and would abort.
@@ -117,9 +93,8 @@ void take_stack() {
 
 int verify_all(const Options& options) {
     Verdict verdict = [&] {
-        const Settings& first = options.jobs.front().settings;
-        Progress progress(!options.quiet, first.budget);
-        return first.together ? verify_together(options, progress) : verify_each(options, progress);
+        Progress progress(!options.quiet, options.jobs.front().settings.budget);
+        return verify_each(options, progress);
     }();
     try {
         require_printed();

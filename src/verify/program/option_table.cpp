@@ -59,11 +59,6 @@ constexpr Option table[] = {
      "bound (of starts, or --decided), --delta and --constant, or --claim law alone. What follows another "
      "tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); }},
-    {"--together", "",
-     "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
-     "one another without a hole or an overlap, and what is demanded is about all files as one. "
-     "The last line is the verdict on all",
-     [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --decided --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
     {"--budget", "TIME",
@@ -86,9 +81,8 @@ constexpr Option table[] = {
      [](Arguments&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
     {"--leaves", "",
      "for one file: how many lines of each kind it has, and what share of the root boxes they cover",
-     [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
-    {"--json", "",
-     "print JSON and nothing else: an array of one object for each file; with --together one object",
+     [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --claims"},
+    {"--json", "", "print JSON and nothing else: an array of one object for each file",
      [](Arguments&, Asked& to) { to.options.json = true; }},
     {"--quiet", "", "print the last line only (or JSON), and show no progress",
      [](Arguments&, Asked& to) { to.options.quiet = true; }},

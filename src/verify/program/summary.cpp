@@ -46,8 +46,8 @@ std::string result_text(const Result& result) {
     const Failure& why = result.why;
     const Request& settings = result.job->settings;
     if (result.is_right())
-        return claim_text(result.proof) + " sha256=" + result.proof.digest +
-               demand_text(settings, own_demand(settings)) + (settings.together ? "" : left_out(result));
+        return claim_text(result.proof) + " sha256=" + result.proof.digest + demand_text(settings) +
+               left_out(result);
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";

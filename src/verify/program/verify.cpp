@@ -50,9 +50,6 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
                                                 decimals(known, false));
         return found;
     }
-    if (settings.together)
-        throw Failure{Verdict::unreadable, text.line, "usage",
-                      "--together is about ranges of mass ratios, and this file is about something else"};
     if (!kind || header.section != (kind->is_of_section ? &turning() : nullptr)) text.unsupported(unknown);
     const Collisions& demand = settings.demand;
     const bool bounds = demand.ratios || demand.most || demand.least;

@@ -29,17 +29,10 @@ class Staircase:
 
     def __init__(self, scene, rho, heavy_once, pieces, source, told=None, decided=None):
         self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
-        self.told, self.decided = told or pieces, decided
-        self.parts = pieces  # of several files, with no ratios in question: those of a file about a single ratio as one
         self.low, self.high = pieces[0][0], pieces[-1][1]
         self.leap = 2 if rho else 1  # the bounds of a gap differ by at most that
         self.open = sum(u is None or u > v + self.leap for _, _, u, v in self.told)
         self.heavy_once = heavy_once and all(u is not None for _, _, u, _ in pieces)
-
-    def whole(self):
-        """The pieces, those about a single ratio as one."""
-        low, high = self.low, self.high
-        return [(low, high, *gaps.asked(self.pieces, low, high)[0])] if low == high else self.pieces
 
     def text(self, demand):
         uppers, lowers = zip(*(piece[2:] for piece in self.told))
@@ -71,7 +64,7 @@ class Staircase:
         if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
             return f"not proved: at least {least} collisions{where}"
         width, number = demand["gap"], demand["gaps"]
-        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.parts, low, high, width, number, self.leap):
+        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.pieces, low, high, width, number, self.leap):
             return (f"not proved: the greatest number itself{where}, but in gaps"
                     f"{'' if width is None else f' of relative width {ratio_text(width)}'}"
                     f"{'' if number is None else f', at most {number}'}")
@@ -86,7 +79,7 @@ class Staircase:
         """No bound is demanded, and none is proved for all mass ratios in question."""
         if demand["max"] is not None or demand["min"] is not None or self.decided:
             return False
-        asked = gaps.asked(self.parts, *demand.ratios(self.low, self.high))
+        asked = gaps.asked(self.pieces, *demand.ratios(self.low, self.high))
         return any(u is None for u, _ in asked) and any(v == 0 for _, v in asked)
 
 

@@ -39,7 +39,7 @@ VERIFIER = {
             "wings/starts/grammar:wings/starts/grammar  "
             "wings/starts/zero:wings/starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
-    **below("verify/program", "options option_table claim_options claim_list together "
+    **below("verify/program", "options option_table claim_options claim_list "
             "examine main summary json escape", "arguments:options"),
 }
 
@@ -59,7 +59,7 @@ GROUPS = {
         # Guesses, from which certified steps start; and what `--explain` and a terminal show to people.
         left_out=frozenset({"guess_crossing", "terms", "describe", "log", "note", "block", "demand_text"}),
         texts=frozenset(("verify/wings/starts/claim.cpp", "verify/core/claim.cpp", *(
-            f"verify/program/{name}.cpp" for name in ("summary", "json", "escape", "main", "together")))),
+            f"verify/program/{name}.cpp" for name in ("summary", "json", "escape", "main")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
         prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",

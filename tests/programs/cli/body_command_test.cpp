@@ -1,4 +1,4 @@
-// certify --scene body: rods with mass, and the coin.
+// certify: rods with mass, and the coin.
 #include <iterator>
 #include <sstream>
 
@@ -17,16 +17,15 @@ std::string refused_body(Words options) {
 
 }  // namespace
 
-TEST_CASE("certify --coin proves 4, and is --scene body --rho 1 --inertia 4") {
+TEST_CASE("certify --coin proves 4, and is --rho 1 --inertia 4") {
     const TemporaryFolder folder;
     const Outcome coin = dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path());
     CHECK(coin.code == 0);
     CHECK_THAT(coin.out, Contains("Proved: at Q 4, rho 1 no motion of the body in a plane, without a corner, "
                                   "hits the floor more than 4 times, and some motion hits it 4 times."));
     CHECK_THAT(coin.out, Contains("dumbbell verify --coin --exactly 4 coin.dbc\n"));
-    REQUIRE(dumbbell({"certify", "--scene", "body", "--rho", "1", "--inertia", "4", "--out", "same.dbc"},
-                     folder.path())
-                .code == 0);
+    REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "4", "--out", "same.dbc"}, folder.path()).code ==
+            0);
     CHECK(contents(folder / "coin.dbc") == contents(folder / "same.dbc"));
 }
 
@@ -55,12 +54,11 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
                Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
                Contains("proved by their tangents, or by --section plain"));
-    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--scene body needs --rho"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({}), Contains("--coin"));
-    CHECK_THAT(refused_body({"--scene", "body"}), Contains("--rod-mass with RATIO"));
+    CHECK_THAT(refused_body({"--rho", "1"}), Contains("--rho needs --inertia"));
     CHECK_THAT(refused_body({"--rho", "2", "--inertia", "4"}), Contains("swap the ends"));
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1.9", "--section", "plain"}),
                Contains("inertia times rho is at least 1"));
@@ -69,7 +67,6 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
     CHECK_THAT(refused_body({"10", "--coin"}), Contains("a RATIO only with --rod-mass"));
     CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--list and --coin exclude each other"));
-    CHECK_THAT(refused_body({"--coin", "--scene", "dumbbell"}), Contains("--scene body"));
     CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
 }

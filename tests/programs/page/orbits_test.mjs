@@ -4,7 +4,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import { angleFrom, fault, linkTo, linkedStart, numberFrom, startFrom } from "../../../web/src/start.js";
-import { orbitFromContact, orbitFromStart, stateAt } from "../../../web/src/orbit.js";
+import { orbitFromStart, stateAt } from "../../../web/src/orbit.js";
 import { parse, toNumber } from "../../../web/src/rational.js";
 import { bridgeOrbit, extremalOrbits, longestOrbit, nextStep } from "../../../web/src/witness.js";
 import { chartPoints } from "../../../web/src/chart_points.js";
@@ -136,13 +136,6 @@ test("an orbit's states lie in the charts of a full section where its collisions
     const departures = chartPoints(orbit, "departure");
     assert.equal(departures.length, 9); // all collisions of the light mass: each leaves across the cell
     assert.ok(departures.every(([e, slope]) => e > 0 && e < Math.PI / 2 && slope > 0 && slope < 2));
-});
-
-test("a start from a contact goes on as the orbit through that contact", () => {
-    const orbit = bridgeOrbit(0.5, 0.5, 100);
-    const c = orbit.collisions[2];
-    const again = orbitFromContact(100, { psi: c.psi, y: c.y, ...c.before }, c.heavy);
-    assert.equal(again.collisions.length, orbit.collisions.length - 2);
 });
 
 test("what is typed is read as a number, and what cannot start is told", () => {

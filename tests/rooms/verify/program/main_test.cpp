@@ -168,8 +168,6 @@ TEST_CASE("a demand is proved or the file is rejected") {
               .last()
               .ends_with(" verified=1 rejected=0 limit=0 "
                          "unsupported=0 unreadable=0 nothing-proved=1 open=4 exit=3"));
-    CHECK(run("--together " + stairs.path()).last().starts_with("s OPEN "));
-    CHECK(run("--ratio 10:21/2 --together " + stairs.path()).code == 0);
     CHECK(run("--ratio 10:21/2 " + stairs.path())
               .last()
               .ends_with(" demanded-ratio=10/1:21/2 not-demanded=max,min,gap,gaps"));
@@ -251,11 +249,6 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--claims list --max 4",
              "--lemma 4.1 F F",
              "--scene foo F",
-             "--together",
-             "--together=1 F",
-             "--together --claims list",
-             "--together --explain 1:bridge F",
-             "--together --shares F",
          }) {
         std::string arguments = options;
         if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());

@@ -222,14 +222,3 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     const File short_list(file.path() + "\t--inertia 4 --exactly 4\n");
     CHECK(run("--claims " + short_list.path()).code == 2);
 }
-
-TEST_CASE("scene body: files of several rho prove nothing together") {
-    const File first(body_text("3/1 4/1", "1/1 1/1", 4, "symmetric\n", 0, "")),
-        next(body_text("4/1 9/1", "1/1 1/1", 5, "symmetric\n", 0, "")),
-        open(mutated(body_text("4/1 9/1", "1/2 1/2", 5, "", 0, ""), "upper 5\n", "upper none\n"));
-    const std::string ask = "--together --rho 1 --inertia 3:9 ";
-    CHECK(run(ask + "--max 5 " + first.path() + " " + next.path()).code == 0);
-    CHECK(run("--together " + first.path() + " " + open.path())
-              .last()
-              .starts_with("s REJECTED code=chain several scenes: "));
-}
