@@ -120,9 +120,7 @@ class CellReader : public Reader<Cell> {
   private:
     [[nodiscard]] std::string_view kind() const override { return "collisions"; }
     [[nodiscard]] std::string_view scene() const override { return "body"; }
-    [[nodiscard]] std::string missing() const override {
-        return settings_.together ? "" : proof_.claim.missing();
-    }
+    [[nodiscard]] std::string missing() const override { return proof_.claim.missing(); }
     [[nodiscard]] const char* check(const Cell& cell, Log* log) const override {
         return dumbbell_verify::judged<CellRule>(cell, log);
     }

@@ -29,6 +29,7 @@ class Staircase:
 
     def __init__(self, scene, rho, heavy_once, pieces, source, told=None, decided=None):
         self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
+        self.told, self.decided = told or pieces, decided
         self.low, self.high = pieces[0][0], pieces[-1][1]
         self.leap = 2 if rho else 1  # the bounds of a gap differ by at most that
         self.open = sum(u is None or u > v + self.leap for _, _, u, v in self.told)

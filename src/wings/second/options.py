@@ -94,8 +94,6 @@ def jobs(files, claim, claims):
         if not files:
             raise Usage("no FILE; see --help")
         demand = demand_of(claim)
-        if asked.together and "decided" in claim:
-            raise Usage("--together and --decided exclude each other; see --help")
         return [(path, demand) for path in files]
     if claim:
         raise Usage(f"--claims and --{next(iter(claim))} exclude each other; see --help")
