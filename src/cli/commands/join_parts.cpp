@@ -75,7 +75,7 @@ std::string Parts::command(const Range& range, const PartFile* like) const {
 Range parse_range(const std::string& text, const std::string& part) {
     const auto claim = collisions::claim_in(part);
     if (claim && claim->system.rho) {
-        return collisions::parse_inertia("--range", text);
+        return collisions::parse_range("--range", text);
     }
     const RatioArgument ratio = parse_ratio_argument(text);
     return {ratio.lo, ratio.hi};
