@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "verify/core/claim.hpp"
 
 using dumbbell_verify::Collisions;
 
