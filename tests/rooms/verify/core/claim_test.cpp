@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "verify/core/claim.hpp"
 
 using dumbbell_verify::Collisions;
 
@@ -125,4 +126,30 @@ TEST_CASE("gaps that touch are one, and end with the range in question") {
     CHECK_FALSE(proves({{2, 3, 5, 3}, {3, 9, 4, 4}}, 2, 9, none, none, mpq_class(1, 2)));
     CHECK(proves({{2, 3, 4, 3}, {3, 4, 5, 4}}, 3, 3, none, none, mpq_class(0)));  // both say 4
     CHECK_FALSE(proves({{3, 3, 4, 3}}, 3, 3, none, none, mpq_class(1, 2)));
+}
+
+TEST_CASE("gaps of random pieces are counted as cell by cell") {
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    int compared = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::vector<Piece> pieces;
+        for (int a = 1 + below(2); pieces.size() < 6; a = pieces.back().b) {
+            const auto lower = static_cast<std::uint64_t>(below(3));
+            const auto upper = below(5) > 0 ? std::optional(lower + below(3)) : std::nullopt;
+            pieces.push_back({a, a + below(3), upper, lower});
+        }
+        Collisions claim;
+        if (const int lo = 1 + below(8); below(3) > 0) claim.ratios.emplace(lo, lo + below(5));
+        claim.lo = pieces.front().a;
+        claim.hi = pieces.back().b;
+        for (const Piece& p : pieces) claim.add(p.a, p.b, p.upper, p.lower);
+        const auto [from, to] = claim.question();
+        if (from >= to || from < claim.lo || claim.hi < to) continue;
+        INFO(i);
+        const auto cells = gaps_by_cells(pieces, from.get_num().get_si(), to.get_num().get_si());
+        REQUIRE((claim.whole().gaps == cells.gaps && claim.whole().widest == cells.widest));
+        ++compared;
+    }
+    CHECK(compared > 5000);
 }
