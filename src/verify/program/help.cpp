@@ -24,9 +24,9 @@ constexpr std::string_view
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 )",
     verdicts =
-        R"(FILE `-` is the standard input. For one file a sentence says what is proved, and the last line is the verdict: s VERIFIED,
-s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, in
-the given order, and a line of totals ends them: c files=3 verified=2 ...
+        R"(FILE `-` is the standard input. For one file a sentence says what is proved, and the last line is the verdict:
+s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with
+its name, in the given order, and a line of totals ends them: c files=3 verified=2 ...
 )",
     exit_codes =
         R"(Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no

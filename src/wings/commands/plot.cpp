@@ -24,7 +24,9 @@ Examples:
   dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
 
 constexpr const char* staircase_picture_description =
-    R"(The proved maximum N(q) of the dumbbell, the gaps in which it is one of two values, and the source paper's bound.
+    R"(The proved maximum N(q) of the dumbbell, and the gaps in which it is one of two values.
+
+The source paper's bound is drawn, too.
 
 Example:
   dumbbell certify 1:100 --out stairs.dbc

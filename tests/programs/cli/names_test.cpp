@@ -83,9 +83,6 @@ TEST_CASE("no command of either program prints a name raw, whatever comes out", 
     std::filesystem::copy_file(folder / stairs, folder / "plain.dbc");
     REQUIRE(dumbbell({"plot", "staircase", "plain.dbc", "--out", "plain.svg"}, f).code == 0);
     CHECK(contents(folder / hostile + ".svg") == contents(folder / "plain.svg"));
-    const std::string xml = contents(folder / hostile + ".svg") + contents(folder / hostile + ".xml");
-    CHECK(xml.find('\x1b') == std::string::npos);
-    CHECK(xml.find('\xff') == std::string::npos);
     CHECK_THAT(contents(folder / hostile + ".html"), !Contains("\x1b"));
 }
 

@@ -1,10 +1,11 @@
 // What pieces say together: the demand of the command line against the chain of pieces.
+#include "verify/core/claim.hpp"
+
 #include <algorithm>
 #include <random>
 #include <vector>
 
 #include "catch.hpp"
-#include "verify/core/claim.hpp"
 
 using dumbbell_verify::Collisions;
 
