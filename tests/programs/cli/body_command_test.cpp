@@ -124,19 +124,6 @@ TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2
               .code == 0);
 }
 
-TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
-    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
-    CHECK(dumbbell({"plot", "body", "coin.dbc", "coin.dbc", "--out", "map.svg"}, folder.path()).code == 0);
-    CHECK_THAT(contents(folder / "map.svg"), Contains("<circle class=\"n4\""));
-    const Outcome other =
-        dumbbell({"plot", "body", "coin.dbc", "ten.dbc", "--out", "other.svg"}, folder.path());
-    CHECK(other.code == 2);
-    CHECK_THAT(other.err, Contains("'ten.dbc' is about the scene dumbbell"));
-    CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
-}
-
 TEST_CASE("a page shows what is about bodies, and other pictures refuse it", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell(
