@@ -59,7 +59,8 @@ PixelRange place_of(const Frame& frame, const Cell& cell) {
 
 /// The class of a cell with more than one value. Where ceil(pi/corner) is above the least one, so is N (L73).
 std::string step_kind(const Cell& cell) {
-    const long least = std::clamp(as_long(cell.lower), 1L, 10'000L);
+    constexpr long most = 10'000;  // no more are proved of a corner
+    const long least = std::clamp(as_long(cell.lower), 1L, most);
     return !cell.upper                                                                 ? "hatched"
            : flight::corner_count(cell.bodies.rho.hi, cell.bodies.q.hi, least) > least ? "corner-step"
                                                                                        : "orbit-step";
@@ -124,7 +125,7 @@ void draw_numbers(Svg& svg, const Frame& frame, const std::vector<Cell>& cells,
         Count count;
         [[nodiscard]] double size() const { return std::min(of.right - of.left, of.bottom - of.top); }
     };
-    constexpr double least = 4, roomy = 30, height = 12, far = 150;
+    constexpr double least = 4, roomy = 30, height = 11, far = 150;
     std::vector<Room> rooms;
     std::map<Count, PixelRange> sides;
     for (const Cell& cell : cells) {
@@ -143,19 +144,17 @@ void draw_numbers(Svg& svg, const Frame& frame, const std::vector<Cell>& cells,
         return std::ranges::none_of(
             names, [&](const auto& name) { return name.first == count && distance(name.second, at) < far; });
     };
+    const auto is_inside = [&](const Count& count, double x, double y) {
+        return std::ranges::any_of(rooms, [&](const Room& room) {
+            return room.count == count && room.of.left <= x && x <= room.of.right && room.of.top <= y &&
+                   y <= room.of.bottom;
+        });
+    };
     const auto has_room = [&](const Count& count, const Pixel& at) {
-        const double half_width = text_width(fmt::format("{}", count)) / 2 + 2;
-        for (const double x : {at.x - half_width, at.x + half_width}) {
-            for (const double y : {at.y - height / 2, at.y + height / 2}) {
-                if (std::ranges::none_of(rooms, [&](const Room& room) {
-                        return room.count == count && room.of.left <= x && x <= room.of.right &&
-                               room.of.top <= y && y <= room.of.bottom;
-                    })) {
-                    return false;
-                }
-            }
-        }
-        return std::ranges::all_of(curves, [&](const Pixel& on) { return distance(on, at) > height; });
+        const double x = text_width(fmt::format("{}", count)) / 2 + 2, y = height / 2;
+        return is_inside(count, at.x - x, at.y - y) && is_inside(count, at.x + x, at.y - y) &&
+               is_inside(count, at.x - x, at.y + y) && is_inside(count, at.x + x, at.y + y) &&
+               std::ranges::all_of(curves, [&](const Pixel& on) { return distance(on, at) > height; });
     };
     const auto name = [&](const Count& count, const Pixel& at, double lower, std::string_view kind) {
         names.emplace_back(count, at);
@@ -191,8 +190,8 @@ std::string body_map_svg(const std::vector<Cell>& cells) {
     const std::string title = "The greatest number of collisions N of every rigid body, in a plane";
     const auto caption = broken_lines(
         "Verified: all bodies in an area of one colour have this N. The steps are enclosed, not sampled: "
-        "each "
-        "lies in the cells that make its curve, drawn a pixel wider.",
+        "they lie "
+        "in the cells that make the curves, drawn a pixel wider, or are hatched.",
         map_width);
     const double caption_top = frame.bottom() + 62;
     Svg svg(page_width, caption_top + caption_step * static_cast<double>(caption.size()), title);
