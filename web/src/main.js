@@ -15,7 +15,7 @@ function header(data) {
         "header",
         {},
         h("div", { class: "title" }, h("h1", {}, "How often can a bouncing dumbbell hit the floor?"), theme),
-        h("p", {}, "Two point masses on a massless rod", data.bodies && ", or a rigid body with two contacts,", " bounce elastically on a flat floor, in a vertical plane, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. ", hasVerifier() ? "It contains the verifier, and runs it here, on each file, without a network." : "It does not verify anything: each file comes with the command that does."),
+        h("p", {}, "Two point masses on a massless rod", data.bodies && ", or a rigid body with two contacts (at the distances d1 \u2265 d2 from the centre of mass; k is the radius of gyration),", " bounce elastically on a flat floor, in a vertical plane, without gravity. This report shows what ", data.files.length === 1 ? "a file claims" : `${data.files.length} files claim`, " about their collisions. ", hasVerifier() ? "It contains the verifier, and runs it here, on each file, without a network." : "It does not verify anything: each file comes with the command that does."),
         h("nav", { "aria-label": "Contents" }, h("ul", {}, links, h("li", {}, h("a", { href: "#own" }, "your own initial condition")))),
     );
 }
@@ -39,8 +39,6 @@ const own = new OwnStart(firstStart(data.files));
 document.title = `dumbbell report: ${data.files.length > 1 ? `${data.files.length} files` : data.files[0].name}`;
 document.getElementById("page").replaceChildren(
     header(data),
-    data.bodies && h("figure", { class: "wide" }, h("img", { src: `data:image/svg+xml,${encodeURIComponent(data.bodies)}`, alt: "The bodies of the files in the plane of rho and Q, coloured by their greatest number of collisions", style: "max-width: 100%" }),
-        h("figcaption", {}, "What the files claim, among all rigid bodies that touch the floor with two points, by \u03c1 = d2/d1 and Q = (d1/k)\u00b2: the contacts are at the distances d1 \u2265 d2 from the centre of mass, and k is the radius of gyration. Massless dumbbells are on the edge Q\u03c1 = 1.")),
     ...data.files.map((file, i) => h("section", { id: `file-${i + 1}` }, h("p", { class: "filename" }, file.name), ...sectionOf(file, data, own, i === 0).filter(Boolean))),
     own.element,
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is claimed is in the files; what is proved, the verifier says.`, hasVerifier() ? ` ${licences}` : ""),

@@ -21,7 +21,7 @@ Examples:
   dumbbell plot staircase certificates/stairs-1-100.dbc --out stairs.svg
   dumbbell plot orbit 100 --out orbit.svg
   dumbbell plot phase falling.dbc --out phase.svg
-  dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
+  dumbbell plot body certificates/plane.dbc.gz --out bodies.svg)";
 
 constexpr const char* staircase_picture_description =
     R"(The proved maximum N(q) of the dumbbell, and the gaps in which it is one of two values.
@@ -55,16 +55,16 @@ Example:
   dumbbell plot phase falling.dbc --out phase.svg)";
 
 constexpr const char* body_picture_description =
-    R"(The plane of all rigid bodies, and the proved maximum of those of the certificates.
+    R"(The plane of all rigid bodies, and how often each can hit the floor.
 
-Each certificate of bodies is a disc, or a strip of bodies of one rho, coloured by its maximum; what is not decided is
-hatched. The massless rods (Q rho = 1), rods of growing mass, the ring, the uniform rod and the coin are marked.
-Bodies move in a plane; proofs/body.md says what rho and Q are.
+Cells of one proved number are united and have its colour. The steps are the cells between: orange where one more
+collision fits into the corner, dark where an orbit gets longer. Hatched: not decided. The massless rods (Q rho = 1),
+rods of growing mass, the ring, the uniform rod and the coin are marked. Bodies move in a plane; proofs/body.md says
+what rho and Q are.
 
 Example:
-  dumbbell certify --coin --out coin.dbc
-  dumbbell certify 10 --rod-mass 1/100 --out rod.dbc
-  dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
+  dumbbell certify --rho 1/100:1 --inertia 1:100 --decided 0.99 --out plane.dbc
+  dumbbell plot body plane.dbc --out bodies.svg)";
 
 constexpr std::array<Option, 2> from_file(std::string_view text) {
     return {argument("FILE", text).required(),
@@ -89,8 +89,8 @@ constexpr std::array orbit_picture_options =
 constexpr std::array phase_picture_options =
     from_file("certificate about initial conditions (-: the standard input)");
 
-constexpr std::array body_picture_options{from_file("certificates about rigid bodies")[0].repeated(),
-                                          from_file("")[1]};
+constexpr std::array body_picture_options =
+    from_file("certificate about a rectangle of bodies (-: the standard input)");
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
                           int (*run)(const Given&)) {

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "cli/commands/verify.hpp"
 #include "cli/terminal/standard_input.hpp"
+#include "collisions/cell_reader.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
 #include "collisions/section.hpp"
@@ -134,7 +135,8 @@ std::string draw_staircase(const Given& given, Observer& observer) {
     const auto certificate =
         certificate_for<Certificate>(file, "staircase", "dumbbell certify LO:HI --out FILE");
     if (certificate.system.rho) {
-        throw InputError(fmt::format("'{}' is about rigid bodies: plot body draws them", file));
+        throw InputError(
+            fmt::format("'{}' is about rigid bodies: a staircase is drawn of mass ratios", file));
     }
     if (certificate.q_lo() == certificate.q_hi()) {
         throw InputError("a staircase needs a range of mass ratios: this certificate holds a single one");
@@ -176,20 +178,10 @@ std::string draw_phase(const Given& given, Observer& observer) {
 }
 
 std::string draw_bodies(const Given& given, Observer& observer) {
-    std::vector<Certificate> certificates;
-    for (const std::string& file : given.words("FILE")) {
-        Certificate certificate = collisions::read_certificate(file);
-        const std::string_view scene = row_of(certificate.system.section).scene;
-        if (!certificate.system.rho) {
-            throw InputError(
-                fmt::format("'{}' is about the scene {}: plot body needs certificates by "
-                            "dumbbell certify --rho RHO --inertia Q --out FILE",
-                            file, scene));
-        }
-        (void)verified(file, certificate.sha256, certificate.system, observer);
-        certificates.push_back(std::move(certificate));
-    }
-    return pictures::body_map_svg(certificates);
+    const std::string file = input_file(given.text("FILE"));
+    const collisions::CellFile read = collisions::read_cells(file);
+    require_verified(file, read.sha256, observer, collisions::Section::body);
+    return pictures::body_map_svg(read.cells);
 }
 
 }  // namespace dumbbell::cli

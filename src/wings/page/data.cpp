@@ -15,7 +15,6 @@
 #include "number/decimal.hpp"
 #include "page/any_certificate.hpp"
 #include "page/file.hpp"
-#include "pictures/body_map.hpp"
 #include "pictures/palette.hpp"
 
 namespace dumbbell::page {
@@ -73,16 +72,12 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
         file.content);
 }
 
-/// The plane of all rigid bodies, with those that the files are about; nothing if there are none.
-std::string body_map(const std::vector<ReportedFile>& files) {
-    std::vector<collisions::Certificate> bodies;
-    for (const ReportedFile& file : files) {
+/// Whether one of the files is about bodies.
+bool has_bodies(const std::vector<ReportedFile>& files) {
+    return std::ranges::any_of(files, [](const ReportedFile& file) {
         const auto* certificate = std::get_if<collisions::Certificate>(&file.content);
-        if (certificate != nullptr && certificate->system.rho) {
-            bodies.push_back(*certificate);
-        }
-    }
-    return bodies.empty() ? "" : pictures::body_map_svg(bodies);
+        return certificate != nullptr && certificate->system.rho;
+    });
 }
 
 Reported shown(AnyCertificate any, const std::string& path) {
@@ -146,7 +141,7 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"growth_constant", growth_digits()},
                          {"colours", colours_json()},
                          {"boxes", Json::object({{"total", budget.total}, {"most", budget.most}})},
-                         {"bodies", body_map(files)},
+                         {"bodies", has_bodies(files)},
                          {"files", shown}});
 }
 

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "collisions/certificate.hpp"
+#include "collisions/cell_reader.hpp"
 
 namespace dumbbell::pictures {
 
-/// The plane of all rigid bodies, rho and Q (L70), as a self-contained SVG. Of each piece a strip of
-/// bodies of one rho, or a disc for a single one, has the colour of its proved maximum; what has more than
-/// one possible value is hatched. Drawn beside them: the massless dumbbells, Q rho = 1; rods of growing mass
-/// between ends of the mass ratios 1, 3 and 10, L70 (d); the ring, the uniform rod and the coin.
-/// Precondition: all are certificates of the scene body, at least one.
-[[nodiscard]] std::string body_map_svg(const std::vector<collisions::Certificate>& certificates);
+/// The plane of all rigid bodies, log rho and log Q (L70), as a self-contained SVG: rho from 1/100 to 1, Q
+/// from 1 to 100, and more if the cells reach beyond. Cells of one N are united, exactly, and have its colour
+/// and its name. Those with more than one possible N enclose the steps, and are coloured by what steps:
+/// ceil(pi/corner) or something else. Beside them: the massless rods, Q rho = 1; rods of growing mass, L70
+/// (d); the ring, the uniform rod and the coin.
+[[nodiscard]] std::string body_map_svg(const std::vector<collisions::Cell>& cells);
 
 }  // namespace dumbbell::pictures

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <ranges>
 
@@ -45,29 +44,6 @@ long multiple(const Rational& x, int bits) {
     const Rational scaled = x * Rational(Integer(1) << static_cast<unsigned>(bits)) + Rational(1, 2);
     const Integer floor = numerator(scaled) / denominator(scaled);  // x >= 0
     return floor.convert_to<long>();
-}
-
-std::string path_of(const std::vector<Outline>& outlines, const std::array<int, 2>& bits) {
-    std::string path;
-    for (const Outline& outline : outlines) {
-        long x = multiple(outline.front()[0], bits[0]);
-        long y = multiple(outline.front()[1], bits[1]);
-        path += fmt::format("M{} {}", x, y);
-        for (auto point = std::next(outline.begin()); point != outline.end(); ++point) {
-            const long next_x = multiple((*point)[0], bits[0]);
-            const long next_y = multiple((*point)[1], bits[1]);
-            if (next_x != x) {
-                path += fmt::format("h{}", next_x - x);
-            }
-            if (next_y != y) {
-                path += fmt::format("v{}", next_y - y);
-            }
-            x = next_x;
-            y = next_y;
-        }
-        path += 'z';
-    }
-    return path;
 }
 
 std::vector<Count> counts_of(const std::map<long, Region>& regions) {
@@ -135,10 +111,13 @@ std::string phase_svg(const starts::Certificate& certificate) {
     legend.draw(svg, phase_left, legend_top);
     svg.rect("hatched", frame.left(), frame.top(), frame.width(), frame.height());
     const std::array<int, 2> bits = fineness(plane.cells);
+    const auto place = [&](const PlanePoint& point) {
+        return std::array{multiple(point[0], bits[0]), multiple(point[1], bits[1])};
+    };
     svg.open_units(frame.left(), frame.bottom(), std::ldexp(frame.width(), -bits[0]),
                    -std::ldexp(frame.height(), -bits[1]));
     for (const auto& [count, region] : regions) {
-        svg.path(fmt::format("region {}", count_kind(count)), path_of(united(region.boxes), bits));
+        svg.path(fmt::format("region {}", count_kind(count)), path_of(united(region.boxes), place));
     }
     svg.close();
     frame.draw_axes(svg);

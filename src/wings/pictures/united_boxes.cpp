@@ -1,5 +1,7 @@
 #include "pictures/united_boxes.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -170,6 +172,28 @@ std::vector<Outline> united(const std::vector<PlaneBox>& boxes) {
     }
     std::sort(outlines.begin(), outlines.end());
     return outlines;
+}
+
+std::string path_of(const std::vector<Outline>& outlines,
+                    const std::function<std::array<long, 2>(const PlanePoint&)>& place) {
+    std::string path;
+    for (const Outline& outline : outlines) {
+        auto [x, y] = place(outline.front());
+        path += fmt::format("M{} {}", x, y);
+        for (auto point = std::next(outline.begin()); point != outline.end(); ++point) {
+            const auto [next_x, next_y] = place(*point);
+            if (next_x != x) {
+                path += fmt::format("h{}", next_x - x);
+            }
+            if (next_y != y) {
+                path += fmt::format("v{}", next_y - y);
+            }
+            x = next_x;
+            y = next_y;
+        }
+        path += 'z';
+    }
+    return path;
 }
 
 }  // namespace dumbbell::pictures

@@ -143,19 +143,6 @@ TEST_CASE("a share of a rectangle of bodies is proved in cells, and verified of 
     CHECK_THAT(run("certify --rho 1/5:1 --inertia 2:40 --decided 1").err, Contains("a share below 1"));
 }
 
-TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
-    REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
-    CHECK(dumbbell({"plot", "body", "coin.dbc", "coin.dbc", "--out", "map.svg"}, folder.path()).code == 0);
-    CHECK_THAT(contents(folder / "map.svg"), Contains("<circle class=\"n4\""));
-    const Outcome other =
-        dumbbell({"plot", "body", "coin.dbc", "ten.dbc", "--out", "other.svg"}, folder.path());
-    CHECK(other.code == 2);
-    CHECK_THAT(other.err, Contains("'ten.dbc' is about the scene dumbbell"));
-    CHECK(folder.names() == Words{"coin.dbc", "map.svg", "ten.dbc"});
-}
-
 TEST_CASE("a page shows what is about bodies, and other pictures refuse it", "[wings]") {
     const TemporaryFolder folder;
     REQUIRE(dumbbell(

@@ -15,6 +15,9 @@ const TemporaryFolder& certificates() {
         REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
         REQUIRE(dumbbell({"certify", "1:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
         REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
+        REQUIRE(dumbbell({"certify", "--rho", "0.3:0.4", "--inertia", "10:18", "--out", "bodies.dbc"},
+                         folder.path())
+                    .code == 0);
         REQUIRE(dumbbell({"trace", "10", "--phi", "0:3", "--phidot", "1", "--y", "2", "--ydot=-2:1",
                           "--subdivide", "--max-boxes", "300", "--out", "falling.dbc"},
                          folder.path())
@@ -64,7 +67,8 @@ TEST_CASE("every picture is drawn from a certificate of its kind, twice the same
     for (const Words& words : std::vector<Words>{{"orbit", "ten.dbc"},
                                                  {"orbit", "stairs.dbc", "--ratio", "9/2"},
                                                  {"orbit", "100"},
-                                                 {"phase", "falling.dbc"}}) {
+                                                 {"phase", "falling.dbc"},
+                                                 {"body", "bodies.dbc"}}) {
         CAPTURE(words);
         CHECK(picture(words) == picture(words));
     }
@@ -82,6 +86,7 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
     CHECK_THAT(refusal({"orbit", "adiabatic.dbc"}), Contains("dumbbell certify RATIO"));
     CHECK_THAT(refusal({"orbit", "falling.dbc"}), Contains("dumbbell certify RATIO"));
     CHECK_THAT(refusal({"orbit", "coin.dbc"}), Contains("scene body"));
+    CHECK_THAT(refusal({"body", "ten.dbc"}), Contains("not about a rectangle of bodies"));
 }
 
 TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it", "[wings]") {
@@ -96,7 +101,7 @@ TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it
 
 TEST_CASE("what is not verified is not drawn, whatever the kind", "[wings]") {
     for (const auto& [word, file] : {std::pair{"orbit", "ten.dbc"}, std::pair{"phase", "falling.dbc"},
-                                     std::pair{"staircase", "stairs.dbc"}}) {
+                                     std::pair{"staircase", "stairs.dbc"}, std::pair{"body", "bodies.dbc"}}) {
         CAPTURE(word);
         std::string text = contents(certificates() / file);
         const std::size_t seal = text.rfind("sha256 ") + 7;
@@ -112,8 +117,9 @@ TEST_CASE("the pictures of docs/ are what the program draws from the shipped cer
         return text;
     };
     const std::string root = DUMBBELL_PROJECT "/";
-    for (const auto& [word, certificate, name] : {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
-                                                  std::tuple{"orbit", "q-100.dbc", "orbit-100"}}) {
+    for (const auto& [word, certificate, name] :
+         {std::tuple{"staircase", "stairs-1-1e4.dbc.gz", "staircase"},
+          std::tuple{"orbit", "q-100.dbc", "orbit-100"}, std::tuple{"body", "plane.dbc.gz", "bodies"}}) {
         CAPTURE(name);
         const std::string drawn = picture({word, root + "certificates/" + certificate});
         CHECK(without_digits(drawn) == without_digits(contents(root + "docs/pictures/" + name + ".svg")));

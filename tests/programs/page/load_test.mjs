@@ -78,7 +78,6 @@ onPage("what is claimed is said, with its lemmas", [files.ten, files.stairs, fil
         assert.ok(text.includes(words), words);
     }
     assert.equal(text.split("The heavy mass hits the floor at most once.").length, 3); // of full and plain, not of bodies
-    assert.ok(await page.locator("figure img").evaluate((map) => map.naturalWidth > 0)); // of the plane of bodies
 });
 
 for (const [of, title] of [[files.ten, "q-10.dbc"], [everything, `${everything.length} files`]]) {

@@ -7,31 +7,20 @@ using namespace dumbbell_test;
 using namespace dumbbell;
 using namespace dumbbell::pictures;
 
-namespace {
-
-collisions::Certificate bodies(const Rational& rho, const Rational& q_lo, const Rational& q_hi, long lower,
-                               long upper) {
-    collisions::Certificate certificate;
-    certificate.system.section = collisions::Section::body;
-    certificate.system.rho = rho;
-    collisions::Piece piece;
-    piece.q_lo = q_lo;
-    piece.q_hi = q_hi;
-    piece.lower = lower;
-    piece.upper = upper;
-    certificate.pieces.push_back(piece);
-    return certificate;
-}
-
-}  // namespace
-
-TEST_CASE("a map of bodies has a disc for each, a strip for a range, and hatches what is not decided") {
-    const std::string svg = body_map_svg(
-        {bodies(1, 4, 4, 4, 4), bodies(Rational(1, 2), 9, 10, 5, 5), bodies(Rational(3, 4), 9, 9, 4, 9)});
+TEST_CASE("a map of bodies unites the cells of one N, and colours steps by kind") {
+    const auto cell = [](double rho_lo, double rho_hi, double q_lo, double q_hi, long lower,
+                         std::optional<Count> upper) {
+        return collisions::Cell{{{exact(rho_lo), exact(rho_hi)}, {exact(q_lo), exact(q_hi)}}, lower, upper};
+    };
+    const std::string svg = body_map_svg({cell(0.5, 0.75, 2, 3, 3, 3), cell(0.75, 1, 2, 3, 3, 3),
+                                          cell(0.25, 0.26, 4.6, 4.8, 3, 5), cell(0.89, 0.91, 3.2, 3.5, 3, 4),
+                                          cell(0.1, 0.2, 50, 60, 0, {})});
     CHECK(well_formed(svg));
-    CHECK(count_of(svg, "<circle class=\"n4\"") == 1);
-    CHECK(count_of(svg, "<circle class=\"hatched\"") == 1);
-    CHECK(count_of(svg, "<rect class=\"n5\"") == 2);  // and in the legend
-    CHECK_THAT(svg, Contains("N = 4") && Contains("N = 5") && Contains("not decided") && Contains("coin"));
-    CHECK_THAT(svg, !Contains("nan") && !Contains("inf"));
+    for (const std::string kind : {"n3", "orbit-step", "corner-step", "hatched"}) {
+        const std::size_t path = svg.find("<path class=\"" + kind + "\" d=\"M");
+        REQUIRE(path != std::string::npos);
+        CHECK(count_of(svg.substr(path, svg.find('\n', path) - path), "M") == (kind == "n3" ? 3 : 1));
+    }
+    CHECK(count_of(svg, "class=\"number roomy\"") == 1);  // the two cells' one name
+    CHECK_THAT(svg, Contains("coin") && !Contains("nan") && !Contains("inf"));
 }
