@@ -112,9 +112,9 @@ std::string meaning_text(const TraceReport& report) {
     return phi.empty()
                ? ""
                : fmt::format(
-                     "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} "
-                     ": {}\n",
-                     phi, to_fraction(report.box.lower(Axis::phi)), to_fraction(report.box.upper(Axis::phi)));
+                     "phi: {} is irrational; what is said is proved for all of a tiny interval around it "
+                     "(--json gives it)\n",
+                     phi);
 }
 
 constexpr int share_digits = 12;
