@@ -230,7 +230,8 @@ std::string pieces_table(const ProofReport& report) {
     const bool by_lemma =
         std::ranges::any_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
     return aligned(lines, 0) +
-           fmt::format("N: the greatest number of collisions;{} boxes: {}{}.\n",
+           fmt::format("{}N: the greatest number of collisions;{} boxes: {}{}.\n",
+                       report.claim.system.rho ? "Q: of the body (certify --help bodies); " : "",
                        row.has_paper_bound ? " paper: the bound of the source paper;" : "",
                        row.charts.front() == Chart::tangent
                            ? "intervals of contacts, by Theorem B of proofs/body.md"

@@ -242,7 +242,7 @@ std::string to_text(const TraceReport& report) {
         text += fmt::format(
             "{} {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
             "enclosed: "
-            "value+-radius.\n",
+            "value+-radius.\nGrazing sine: 1 where a mass hits head-on, near 0 where it only just touches.\n",
             report.box.rho ? fmt::format("Body of rho {}, Q", exact_text(*report.box.rho)) : "Mass ratio",
             report.box.lo[4] == report.box.hi[4]
                 ? exact_text(report.box.lo[4])
