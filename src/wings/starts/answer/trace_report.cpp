@@ -112,8 +112,8 @@ std::string meaning_text(const TraceReport& report) {
     return phi.empty()
                ? ""
                : fmt::format(
-                     "phi: {} is irrational; what is said is proved for all of a tiny interval around it "
-                     "(--json gives it)\n",
+                     "phi: {}, irrational and rounded outward; what is said is proved for every phi in the "
+                     "interval that --json gives\n",
                      phi);
 }
 
