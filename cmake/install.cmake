@@ -67,10 +67,6 @@ install(DIRECTORY docs proofs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell-verify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 if(NOT DUMBBELL_VERIFIER_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
-  foreach(command dumbbell dumbbell-verify)  # completions are found by the command's name
-    install(FILES ${PROJECT_BINARY_DIR}/share/dumbbell.bash
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${command} OPTIONAL)
-  endforeach()
 endif()
 # The verifier for pages of `dumbbell report`, where `./run web` has made it.
 install(FILES ${PROJECT_SOURCE_DIR}/build/web/verifier.wasm.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/dumbbell OPTIONAL)

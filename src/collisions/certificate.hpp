@@ -27,9 +27,8 @@ struct Range {
 
 /// What is covered. Of the dumbbell: the turning collisions and the bridge contacts (L8, L9), all collision
 /// states, counted forward only (L15), or the latter without monotonicity (L16). All collision states of
-/// rigid bodies with mass between their contacts (body.md). The turning collisions of the source paper's
-/// model wedges (L17, L18). What is known of each is a row (section.hpp).
-enum class Section { turning, full, plain, body, plain_body, hybrid, wedge };
+/// rigid bodies with mass between their contacts (body.md). What is known of each is a row (section.hpp).
+enum class Section { turning, full, plain, body, plain_body };
 
 /// What moves, and what of its states is covered.
 struct System {
@@ -43,7 +42,7 @@ struct System {
 };
 
 /// A family of states that boxes cover, of a section (sections/). What is known of each is a row (chart.hpp).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, wedge, tangent };
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, tangent };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light), and the mass ratio q, or Q of bodies.
@@ -86,9 +85,8 @@ struct Cover {
 
 /// A collision from which at least `forward` later and `backward` earlier collisions are certain, for every
 /// ratio of its piece: 1 + forward + backward in all. On the bridge: the contact at corner distance e and
-/// steepness eta (L11). In a wedge: a collision with scaled slope lambda in place of eta; it has no scale,
-/// e = 0 (L17, L18). In the corner of a body (L73): e = eta = 0.
-enum class Place { bridge, wedge, corner };
+/// steepness eta (L11). In the corner of a body (L73): e = eta = 0.
+enum class Place { bridge, corner };
 struct Witness {
     Rational e;
     Rational eta;

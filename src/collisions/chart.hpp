@@ -37,7 +37,7 @@ struct Judges {
 
 struct ChartRow {
     std::string_view name, position, slope;  ///< in files
-    double greatest_position;                ///< 0: there is none
+    double greatest_position;
     /// Slopes reach from 0 to this, or if it is 0 to the power of two from q + slope_beyond on.
     double greatest_slope = 0;
     int slope_beyond = 0;
@@ -60,7 +60,7 @@ struct ChartRow {
 
 /// What row_of gives, each defined where its section is.
 extern const ChartRow bridge_chart, light_chart, contact_chart, departure_chart, plain_contact_chart,
-    plain_departure_chart, again_chart, wedge_chart, tangent_chart;
+    plain_departure_chart, again_chart, tangent_chart;
 
 [[nodiscard]] std::string_view axis_name(Chart chart, Axis axis);
 /// The other way round; nothing for an unknown word.

@@ -30,9 +30,7 @@ std::string system_text(const Claim& claim) {
     if (claim.system.rho) {
         return (claim.rod ? "--ratio " : "") + body_text(claim);
     }
-    const std::string_view scene = row_of(claim.system.section).scene;
-    return (scene == row_of(Section()).scene ? "" : fmt::format("--scene {} ", scene)) + "--ratio " +
-           spelled(claim.range.lo, claim.range.hi);
+    return "--ratio " + spelled(claim.range.lo, claim.range.hi);
 }
 
 bool has_upper(const Piece* piece) { return piece->upper.has_value(); }
@@ -68,7 +66,7 @@ std::string gap_text(const Rational& width) {
 
 }  // namespace
 
-Range parse_inertia(const char* option, const std::string& text) {
+Range parse_range(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
     const Rational lo = parse_number(option, text.substr(0, colon));
     const Rational hi = colon == std::string::npos ? lo : parse_number(option, text.substr(colon + 1));
@@ -87,7 +85,7 @@ Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (height == 0 || height > 1) {
         throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
     }
-    return {.range = parse_inertia("--inertia", inertia), .system = {Section::body, height}};
+    return {.range = parse_range("--inertia", inertia), .system = {Section::body, height}};
 }
 
 Claim by_plain_covers(Claim claim) {
@@ -124,11 +122,9 @@ std::vector<const Piece*> pieces_of(const Certificate& certificate) {
 }
 
 std::string options_of(const Claim& claim) {
-    const SectionRow &row = row_of(claim.system.section), &usual = row_of(Section());
-    return (claim.system.rho || row.scene == usual.scene ? "" : fmt::format(" --scene {}", row.scene)) +
-           (row.section == (claim.system.rho ? row_of(Section::body) : usual).section
-                ? ""
-                : fmt::format(" --section {}", row.section)) +
+    const std::string_view section = row_of(claim.system.section).section,
+                           usual = row_of(claim.system.rho ? Section::body : Section()).section;
+    return (section == usual ? "" : fmt::format(" --section {}", section)) +
            (claim.gap == 0 ? "" : " --gap " + exact_text(claim.gap));
 }
 

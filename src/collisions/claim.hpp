@@ -23,9 +23,9 @@ struct Claim {
     std::optional<Rod> rod = {};  ///< if it was given so
 };
 
-/// Q of bodies, as it is written: it does not change into its inverse. Throws InputError, which names the
-/// option.
-[[nodiscard]] Range parse_inertia(const char* option, const std::string& text);
+/// A number or LO:HI as a user writes it: no number of a body changes into its inverse. Throws InputError,
+/// which names the option.
+[[nodiscard]] Range parse_range(const char* option, const std::string& text);
 /// Bodies with this rho, a number, and this inertia Q, a number or LO:HI, as a user writes them. Throws
 /// InputError, which names the option, if no body has them.
 [[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);
@@ -37,7 +37,7 @@ struct Claim {
 [[nodiscard]] Claim claim_of(const Certificate& certificate);
 [[nodiscard]] std::vector<const Piece*> pieces_of(const Certificate& certificate);
 
-/// ` --scene wedge --gap 1e-9`: what a command needs besides what moves.
+/// ` --section full --gap 1e-9`: what a command needs besides what moves.
 [[nodiscard]] std::string options_of(const Claim& claim);
 
 /// `dumbbell certify 1:100 --section full --gap 1e-6`: what makes a certificate of the claim, but for --out.

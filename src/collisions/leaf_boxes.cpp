@@ -26,9 +26,7 @@ Rational power_of_two_for(const Rational& bound) {
 }
 
 /// The greatest position: e <= 2 (format.md 3.1, format-sections.md), t <= 4.
-Rational greatest_position(const ChartRow& chart) {
-    return chart.position == "t" ? 4 : chart.name == "wedge" ? 0 : 2;
-}
+Rational greatest_position(const ChartRow& chart) { return chart.position == "t" ? 4 : 2; }
 
 Rational greatest_slope(const ChartRow& chart, const Rational& q_hi) {
     return chart.name == "departure" ? Rational(2)
@@ -69,9 +67,6 @@ Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const 
             continue;
         }
         const std::size_t axis = static_cast<std::size_t>(*node.split);
-        if (boxes.hi(boxes.root, axis) == 0) {
-            throw InputError(fmt::format("the chart {} has no position to split", row_of(chart).name));
-        }
         if (++splits[axis] > most_splits) {
             throw InputError(
                 fmt::format("a tree splits an axis more than {} times above a node", most_splits));

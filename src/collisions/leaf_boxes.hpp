@@ -36,13 +36,12 @@ struct Boxes {
                               const std::array<Rational, axis_count>& hi);
 };
 
-/// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves. The chart wedge has no
-/// position: [0, 0].
+/// The root box of the chart over the mass ratios [q_lo, q_hi], without leaves.
 [[nodiscard]] Boxes root_of(Chart chart, const Rational& q_lo, const Rational& q_hi);
 
 /// The root box and the box of every leaf of the tree. A tree that ends early gives the leaves it has.
-/// Throws InputError if nodes follow its end, if an axis that is not there is split, or if one is split more
-/// than 400 times above a node (format.md).
+/// Throws InputError if nodes follow its end, or if an axis is split more than 400 times above a node
+/// (format.md).
 [[nodiscard]] Boxes leaf_boxes(Chart chart, const Rational& q_lo, const Rational& q_hi, const Tree& tree);
 
 }  // namespace dumbbell::collisions

@@ -30,8 +30,6 @@ namespace dumbbell::collisions {
     switch (place) {
         case Place::bridge:
             return "bridge";
-        case Place::wedge:
-            return "wedge";
         case Place::corner:
             return "corner";
     }

@@ -7,8 +7,7 @@ namespace dumbbell::collisions {
 namespace {
 
 /// In the order of Section.
-constexpr std::array section_rows{&turning_row,    &full_row,   &plain_row, &body_row,
-                                  &plain_body_row, &hybrid_row, &wedge_row};
+constexpr std::array section_rows{&turning_row, &full_row, &plain_row, &body_row, &plain_body_row};
 
 template <class Fits>
 std::optional<Section> first_section(Fits fits) {
@@ -22,7 +21,7 @@ std::optional<Section> first_section(Fits fits) {
 const SectionRow& row_of(Section section) { return *section_rows.at(static_cast<std::size_t>(section)); }
 
 const SectionRow& staircase_of(const System& system) {
-    return system.rho && *system.rho == 1 ? wedge_row : row_of(system.section);
+    return system.rho && *system.rho == 1 ? symmetric_row : row_of(system.section);
 }
 
 std::optional<Section> section_named(std::string_view scene, std::string_view section) {

@@ -43,12 +43,10 @@ struct SectionRow {
     std::string_view lemmas, section_in_file;  ///< the words after `lemmas` and `section`
     std::string_view kind_in_totals = {};      ///< of leaves or covers that no other section has; or nothing
     std::string_view hits, hits_it;            ///< "no ... more than N times, and some ... N times"
-    std::string_view system, where;            ///< "The dumbbell"; " in the wedge", or nothing
-    std::string_view title;                    ///< of the picture of its maximum
     std::string_view growth;  ///< it steps about where growth sqrt q is a whole number: a decimal
     int most_digits = 36;     ///< single ratios up to 10^this are tried
-    bool has_orbits = false;  ///< in the plane, to be listed and drawn; else it has slopes only
-    /// The source paper bounds its maximum by ceil(pi/gamma) + 1; else ceil(pi/gamma) is its maximum.
+    bool has_orbits = false;  ///< that can be listed and drawn
+    /// The source paper bounds its maximum by ceil(pi/gamma) + 1.
     bool has_paper_bound = false;
     bool shows_heavy_once =
         false;  ///< its cover proves that the heavy mass hits the floor at most once (L19)
@@ -70,11 +68,11 @@ struct SectionRow {
 
 [[nodiscard]] const SectionRow& row_of(Section section);
 
-/// The row that says where the maximum of the system steps: symmetric bodies step where the wedges do (L72).
+/// The row that says where the maximum of the system steps: of symmetric bodies that is known (L72).
 [[nodiscard]] const SectionRow& staircase_of(const System& system);
 
 /// What row_of gives, each defined where its section is.
-extern const SectionRow turning_row, full_row, plain_row, body_row, plain_body_row, hybrid_row, wedge_row;
+extern const SectionRow turning_row, full_row, plain_row, body_row, plain_body_row, symmetric_row;
 
 /// The section of a scene: by the words that users say, or by those of a file; nothing if there is none.
 [[nodiscard]] std::optional<Section> section_named(std::string_view scene, std::string_view section);

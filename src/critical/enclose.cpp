@@ -151,29 +151,4 @@ std::optional<Ratio> enclose_ratio(long n, const Options& options) {
     return std::nullopt;
 }
 
-bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted) {
-    if (ratio.n == 3) {
-        return ratio.q_lo <= 1 && ratio.q_hi >= 1;
-    }
-    if (flight::macro::is_long(ratio.n)) {
-        return certainly_encloses_by_counts(ratio, interrupted);
-    }
-    // At the ends of an enclosure as narrow as its precision permits the margin is a few units in the last
-    // place.
-    const PrecisionScope scope(2 * ratio.bits);
-    const ExtremalFlight flight = flight::tangent_flight(ratio.n);
-    const Options options{.interrupted = interrupted};
-    const auto at = [&](const Rational& q) {
-        return margin_at(flight, enclose<BigInterval>(Rational(1) / q), options);
-    };
-    const auto below = at(ratio.q_lo);
-    const auto above = at(ratio.q_hi);
-    if (below && above) {
-        return certainly_positive(-*below) && certainly_positive(*above);
-    }
-    // So far from the critical ratio the orbit may not have that flight: is a narrow enclosure inside?
-    const auto narrow = enclose_ratio(ratio.n, options);
-    return narrow && ratio.q_lo <= narrow->q_lo && narrow->q_hi <= ratio.q_hi;
-}
-
 }  // namespace dumbbell::critical

@@ -39,11 +39,6 @@ inline constexpr int most_bits = 16384;
 /// 1000.
 [[nodiscard]] std::optional<Ratio> enclose_ratio(long n, const Options& options);
 
-/// Whether it is certain that q_lo <= q_c(n) <= q_hi, by the signs of the margin at both ends alone, in twice
-/// as many bits: it falls with r (L27), so nothing of the search is used. (q_c(3) = 1 by L7.) For a long
-/// orbit by the counts at both ends. Precondition: 1 <= q_lo <= q_hi; 53 <= bits <= 16,384.
-[[nodiscard]] bool certainly_encloses(const Ratio& ratio, const Interrupted& interrupted = never);
-
 /// The same for long orbits, flight::macro::is_long(n) (long_orbits.cpp): macro steps (L42) bound a state,
 /// but not its derivatives; by Theorem 2 the numbers of collisions at two ratios enclose n all the same.
 [[nodiscard]] std::optional<Ratio> enclose_long_ratio(long n, const Options& options);

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <ctime>
 
 #include "base/deadline.hpp"
-#include "base/error.hpp"
 #include "flight/macro/when.hpp"
-#include "number/count_argument.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
@@ -29,29 +26,7 @@ double flights(const Request& request) {
                (1 + std::log10(std::max(1.0, longer)));
 }
 
-/// Of this thread: however busy the machine is, the same work takes as much.
-std::chrono::duration<double> processor_time() {
-    timespec now{};
-    require(clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0, "no clock for the time of a thread");
-    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
-}
-
 }  // namespace
-
-Request part_of(const Part& part, long first, long last) {
-    if (first == last) {
-        throw InputError("--part is for a range N1:N2: a single critical ratio has no parts");
-    }
-    // Measured with 15 and 50 digits: an enclosure costs about as much as 30 collisions, and those of its
-    // orbit. Long orbits cost the same, or little more, however long they are.
-    const long fixed = flight::macro::is_long(first) ? greatest_count : 30;
-    const auto [begin, end] = steps_of(part, {first, last + 1, fixed});
-    Request request;
-    request.first = begin.convert_to<long>();
-    request.last = end.convert_to<long>() - 1;
-    request.part = {part, first, last};
-    return request;
-}
 
 std::vector<Row> enclose_ratios(const Request& request) {
     require_sound_arithmetic();
@@ -79,22 +54,6 @@ std::vector<Row> enclose_ratios(const Request& request) {
         });
     });
     return rows;
-}
-
-std::chrono::duration<double> estimated_time(const Request& request) {
-    constexpr long sample_flights = 31, sample = 2 * sample_flights;  // a few milliseconds
-    // Longer orbits lose more digits (expected_bits of critical.cpp): let the sample have as many bits.
-    const double longer = static_cast<double>(std::min(request.last, flight::macro::first_long)) / sample;
-    const int lost = static_cast<int>(std::ceil(4 * std::log10(std::max(1.0, longer))));
-    const auto enclose = [&] {
-        const auto start = processor_time();
-        (void)enclose_ratio(sample, {.digits = std::min(request.digits + lost, most_digits)});
-        return processor_time() - start;
-    };
-    (void)enclose();  // the first one also fills caches
-    const auto time = enclose();
-    const double together = std::min<double>(request.jobs, static_cast<double>(request.size()));
-    return time * (flights(request) / sample_flights) / together;
 }
 
 double share_of_first(std::size_t ratios, const Request& request) {

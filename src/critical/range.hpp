@@ -8,22 +8,13 @@
 #include "base/observer.hpp"
 #include "critical/bodies.hpp"
 #include "critical/enclose.hpp"
-#include "number/part.hpp"
 
 namespace dumbbell::critical {
-
-/// A part of the critical ratios q_c(first), ..., q_c(last).
-struct CountPart {
-    Part part;
-    long first = 3;
-    long last = 3;
-};
 
 struct Request {
     long first = 3;  ///< q_c(first), ..., q_c(last); 3 <= first <= last
     long last = 3;
-    std::optional<CountPart> part;  ///< where they are only that
-    std::optional<Bodies> bodies;   ///< whose steps they are instead; of rods all that are found
+    std::optional<Bodies> bodies;  ///< whose steps they are instead; of rods all that are found
     int digits = 15;
     int jobs = 1;
     std::optional<std::chrono::duration<double>> budget;
@@ -32,19 +23,12 @@ struct Request {
     [[nodiscard]] long size() const { return last - first + 1; }
 };
 
-/// Of parts that take about as long each. Throws InputError for a single ratio, and if a part would be empty.
-[[nodiscard]] Request part_of(const Part& part, long first, long last);
-
 /// One row per n, in order; the rows do not depend on the number of jobs. Of rods one per fall of N, from the
 /// lightest on, and one more without a ratio if not all were enclosed. Throws BrokenInvariant if the
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<Row> enclose_ratios(const Request& request);
 
-/// About how long the enclosures will take, from the processor time that a small one
-/// takes here: on a machine that does nothing else.
-[[nodiscard]] std::chrono::duration<double> estimated_time(const Request& request);
-
-/// The share of that time which the first so many ratios take, from 0 to 1: orbits get longer.
+/// The share of the time which the first so many ratios take, from 0 to 1: orbits get longer.
 [[nodiscard]] double share_of_first(std::size_t ratios, const Request& request);
 
 }  // namespace dumbbell::critical

@@ -192,11 +192,6 @@ std::string range_text(const Report& report) {
     return text;
 }
 
-Json part_json(const CountPart& part) {
-    return Json::object(
-        {{"number", part.part.number}, {"of", part.part.of}, {"first", part.first}, {"last", part.last}});
-}
-
 /// Of the ends, beyond those of the number.
 constexpr int more_digits = 20;
 
@@ -261,10 +256,6 @@ void leave_out_unreached(Report& report) {
 std::string to_text(const Report& report) {
     const bool is_single = !report.request.bodies && report.request.first == report.request.last;
     std::string text = is_single ? single_text(report) : range_text(report);
-    if (const auto& part = report.request.part) {
-        text += fmt::format("Part {} of {} of the critical ratios for N from {} to {}.\n", part->part.number,
-                            part->part.of, part->first, part->last);
-    }
     if (report.out) {
         text += fmt::format("Table: {}\n", one_line(*report.out));
     }
@@ -286,7 +277,6 @@ Json to_json(const Report& report) {
          {"rho", number_if(bodies && !bodies->have_rods)},
          {"rods_between", number_if(bodies && bodies->have_rods)},
          {"digits", report.request.digits},
-         {"part", report.request.part ? part_json(*report.request.part) : Json()},
          {"jobs", report.request.jobs},
          {"ratios", ratios},
          {"open", open_in(report)},

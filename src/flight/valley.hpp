@@ -67,4 +67,21 @@ long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupte
     return cap + 1;
 }
 
+/// An upper bound of T if J is `hits` (L82): the straight wedge's ray along the bridge, behind 2 J + 1
+/// bounces; `cap` + 1 if none up to `cap` is certain. rho and r enclose those of the body.
+template <class I>
+long even_at_most(long hits, const I& rho, const I& r, long cap, const Interrupted& interrupted) {
+    Ray<I> ray{I(0), low_end(-rho), low_end(r)};
+    for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
+        if (ends_early(bounces, interrupted)) {
+            return cap + 1;
+        }
+        const Bounce bounce = bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho);
+        if (bounce != Bounce::returns) {
+            return bounce == Bounce::undecided ? cap + 1 : 0;
+        }
+    }
+    return as_long(count_at_most<I>({low_end(pi<I>() * ray.kappa), ray.kappa, ray.r}, cap, interrupted));
+}
+
 }  // namespace dumbbell::flight

@@ -43,16 +43,15 @@ long parse_count(const std::string& text) {
 
 }  // namespace
 
-std::pair<long, long> parse_counts(const std::string& text, long parts) {
+std::pair<long, long> parse_counts(const std::string& text) {
     const auto colon = text.find(':');
     const long first = parse_count(text.substr(0, colon));
     const long last = colon == std::string::npos ? first : parse_count(text.substr(colon + 1));
     if (first > last) {
         throw InputError(fmt::format("the range '{}' is reversed: write the smaller N first", text));
     }
-    if ((last - first) / parts >= most_ratios) {
-        throw InputError(
-            fmt::format("more than {} critical ratios: take the range in parts (--part K/N)", most_ratios));
+    if (last - first >= most_ratios) {
+        throw InputError(fmt::format("more than {} critical ratios: take a shorter range", most_ratios));
     }
     return {first, last};
 }

@@ -5,17 +5,15 @@ import { show } from "./numbers.js";
 const position = "e: angle from the corner";
 const slope = "\u03b7: slope above the tangent";
 const inUnits = ", in units of r = 1/q";
-const lambda = `\u03bb: slope${inUnits}`;
 const contact = { t: "t: angle from the corner", eta: `${slope}${inUnits} (of a body: of \u03c1)` };
 
 const charts = {
     bridge: { about: "contacts of the heavy mass with the floor", axes: { e: position, eta: contact.eta } },
     contact: { about: "contacts of the heavy mass with the floor that leave to the left", axes: contact },
     again: { about: "the same contacts once more: none of them comes back to the heavy mass", axes: contact },
-    light: { about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one", axes: { e: position, lambda } },
+    light: { about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one", axes: { e: position, lambda: `\u03bb: slope${inUnits}` } },
     departure: { about: "collisions of the light mass, in any direction, that cross the cell next", axes: { e: position, eta: slope } },
     tangent: { about: "places of the bridge, whose tangents to the left and into the valley bound what a motion does", axes: { e: position, "": "" } },
-    wedge: { about: "slopes of turning collisions; the wedge has no scale, so no position", axes: { lambda, e: "" } },
 };
 
 export const chartAbout = (name) => charts[name].about;

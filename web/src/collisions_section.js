@@ -11,7 +11,7 @@ import { parse, toNumber } from "./rational.js";
 import { Staircase } from "./staircase.js";
 import { colour, shade } from "./theme.js";
 import { Unfolded } from "./unfolded.js";
-import { bridgeOrbit, extremalOrbits, wedgeOrbit } from "./witness.js";
+import { bridgeOrbit, extremalOrbits } from "./witness.js";
 
 const rangeText = ({ symbol, lo_text, hi_text }) => (lo_text === hi_text ? `${symbol} = ${shortened(lo_text)}` : `${symbol} from ${shortened(lo_text)} to ${shortened(hi_text)}`);
 
@@ -37,9 +37,6 @@ function claimText(file) {
 }
 
 function coverNote(file) {
-    if (!file.has_orbits && !file.rho) {
-        return "In a wedge only the slope counts, so the cover of a single ratio is a line of intervals.";
-    }
     return file.section === "turning"
         ? "Why so few boxes? Every trajectory has a turning collision, or one contact of the heavy mass, and its count is that of the two rays there: only these states are covered, a set of two dimensions, not all collisions. And the rays are ordered (L5): a lower, flatter ray never has fewer collisions left, so one corner of a box bounds the box as a whole. At most mass ratios one box for each chart is enough; close to a step the bound must be tight only in a small region, where a few dozen boxes are."
         : "This cover has all collision states, counted forward only, so it needs many boxes where the turning section needs two: it does not use that every trajectory has a turning collision, and a box must settle each state by what follows.";
@@ -52,7 +49,7 @@ function coverSource(file) {
         tree,
         chart: tree.chart,
         explain: `${i + 1}:${tree.chart}`,
-        marks: file.has_orbits || file.rho ? (q) => marksOf(file, tree.chart, q, piece) : null,
+        marks: (q) => marksOf(file, tree.chart, q, piece),
     })));
     const most = file.section === "tangents" ? twice : total;
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
@@ -105,8 +102,8 @@ function marksOf(file, chart, q, piece) {
 }
 
 const orbitOf = ({ rho }, piece, q) => {
-    const { chart, e, eta } = piece.witness;
-    return chart === "wedge" ? wedgeOrbit(toNumber(parse(eta)), q) : bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q, rho ? toNumber(parse(rho)) : 1 / q);
+    const { e, eta } = piece.witness;
+    return bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q, rho ? toNumber(parse(rho)) : 1 / q);
 };
 
 /// The witness orbits, at the middle of their pieces.
@@ -126,7 +123,7 @@ function witnesses(file, moves) {
         const claimed = total(piece.witness);
         player.load(orbit);
         const found = orbit.collisions.length;
-        const start = chart === "wedge" ? `slope \u03bb = ${shortened(eta)}` : `contact of the heavy ${file.rho ? "end" : "mass"} at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
+        const start = `contact of the heavy ${file.rho ? "end" : "mass"} at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
         const said = chart === "corner" ? `motions close to the corner have ${plural(claimed, "collision")}` : `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all`;
         about.replaceChildren(
             h("strong", {}, `Claimed by the file: `),
@@ -142,9 +139,8 @@ function witnesses(file, moves) {
     if (moves) {
         player.playOnce();
     }
-    return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {}, file.has_orbits || file.rho
-        ? "A witness orbit: the dumbbell (or the line between a body\u2019s contacts), and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."
-        : "A witness orbit in the model wedge, which is a plane figure and no dumbbell. It has no scale; drawn so that the farthest contact is at 1."));
+    return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {},
+        "A witness orbit: the dumbbell (or the line between a body\u2019s contacts), and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."));
 }
 
 const mostRows = 200;

@@ -8,13 +8,12 @@ export const floorAt = (psi, rho) => Math.max(-Math.cos(psi), rho * Math.cos(psi
 
 const slopeAt = (psi, heavy, rho) => (heavy ? -rho : 1) * Math.sin(psi);
 
-/// The velocity behind a collision with a floor of this slope: equation (1) of L0.
-export function bounced({ vpsi, vy }, slope, r) {
+/// The velocity behind a collision: equation (1) of L0.
+export function reflected({ psi, vpsi, vy }, heavy, r, rho = r) {
+    const slope = slopeAt(psi, heavy, rho);
     const k = (2 * (vy - slope * vpsi)) / (slope * slope + r);
     return { vpsi: vpsi + k * slope, vy: vy - k * r };
 }
-
-export const reflected = (state, heavy, r, rho = r) => bounced(state, slopeAt(state.psi, heavy, rho), r);
 
 /// The sine of the angle between flight and floor, in the metric of the kinetic energy.
 export function grazingSine(state, heavy, r, rho = r) {

@@ -18,16 +18,8 @@ const lemmas = {
     L14: "Sine and cosine in double",
     L15: "All collision states, counted forward",
     L16: "Plain interval evaluation, without monotonicity",
-    L17: "The straight wedge",
-    L18: "The hybrid wedge has the straight wedge\u2019s maximum",
     L19: "The heavy mass at most once, for every state of a box",
     L21: "The two extremal orbits: k1 \u2264 k0 \u2264 1 + k1, N(q) = 2 + k0 + k1 (Theorem 1)",
-    L33: "One collision, and the adiabatic invariant",
-    L34: "The drift of S along one flight",
-    L35: "A potential for the drift",
-    L36: "Theorem 3.3, for any number of bounces",
-    L37: "Theorem 3.5: whole scatterings",
-    L38: "Lemma 3.1 and Corollary 3.2",
     L40: "Corners cost nothing: a motion on a stretch of time has at most N(q) collisions",
     L60: "A start\u2019s flights from contact to contact",
     L61: "The natural measure on incoming trajectories",
@@ -45,7 +37,7 @@ const lemmas = {
     L83: "More Q, no fewer collisions",
 };
 
-const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [39, "proofs/adiabatic.md"], [70, "proofs/lemmas.md"], [99, "proofs/body.md"]];
+const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [70, "proofs/lemmas.md"], [99, "proofs/body.md"]];
 const numerical = ["L12", "L13", "L14"];
 
 const starts = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L7", ...numerical, "L21", "L40", "L60"];
@@ -54,15 +46,10 @@ const sets = {
     turning: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L8", "L9", "L10", "L11", ...numerical],
     full: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L10", "L11", ...numerical, "L15", "L19"],
     plain: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
-    wedge: ["L0", "L2", "L4", "L5", "L9", "L13", "L17"],
-    hybrid: ["L0", "L2", "L4", "L5", "L9", "L13", "L17", "L18"],
     body: ["L1", "L2", "L3", "L4", "L6", ...numerical, "L16", "L70", "L71", "L72", "L73", "L74", "L75"],
     tangents: ["L1", "L2", "L3", "L4", "L5", ...numerical, "L70", "L73", "L74", "L78", "L79", "L80", "L81", "L82", "L83"],
     "initial-conditions": starts,
     incoming: [...starts, "L61"],
-    "adiabatic-bounce": ["L0", "L4", "L5", ...numerical, "L33", "L38"],
-    "adiabatic-run": ["L0", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36"],
-    "adiabatic-scattering": ["L0", "L3", "L4", "L5", ...numerical, "L33", "L34", "L35", "L36", "L37"],
 };
 
 /// Rows [lemma, statement, page] for a file.

@@ -1,5 +1,4 @@
 // The page: reads the data that the program put into it, and makes a section for each file.
-import { adiabaticSection } from "./adiabatic_section.js";
 import { collisionsSection } from "./collisions_section.js";
 import { parseReport } from "./counts.js";
 import { h, labelled, select } from "./dom.js";
@@ -28,15 +27,9 @@ const firstStart = ([{ lo_text: q, hi_text }]) => ({ q: q === hi_text && numberF
 
 function sectionOf(file, data, own, isFirst) {
     const isAlone = data.files.length === 1;
-    switch (file.claim) {
-        case "collisions":
-            return collisionsSection(file, Number(data.growth_constant), isAlone, isFirst);
-        case "initial-conditions":
-        case "incoming":
-            return initialSection(file, own, isAlone, isFirst);
-        default:
-            return adiabaticSection(file, isAlone);
-    }
+    return file.claim === "collisions"
+        ? collisionsSection(file, Number(data.growth_constant), isAlone, isFirst)
+        : initialSection(file, own, isAlone, isFirst);
 }
 
 const data = parseReport(document.getElementById("data").textContent);

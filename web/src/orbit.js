@@ -5,8 +5,8 @@ import { nextContact, reflected } from "./flight.js";
 
 export const mostCollisions = 20000; // followed
 
-/// Heights are computed in units of beta2; this many rod lengths are that (a wedge has no unit).
-export const lengthUnit = ({ scene, rho }) => (scene === "wedge" ? 1 : 1 / (1 + rho));
+/// Heights are computed in units of beta2; this many rod lengths are that.
+export const lengthUnit = ({ rho }) => 1 / (1 + rho);
 
 const cornerRange = 1e-11; // of angles: closer to flat, doubles do not tell which mass hits first
 
@@ -27,15 +27,6 @@ export function orbitFromStart({ q, phi, phidot, y, ydot }) {
     return forward(q, state, null, { ...state, until: 0 });
 }
 
-/// The orbit from just before a contact on, of a state on the floor.
-export function orbitFromContact(q, state, heavy) {
-    const r = 1 / q;
-    const after = reflected(state, heavy, r);
-    const back = shownAfter({ y: state.y, ...reversed(state) });
-    const collision = { t: 0, psi: state.psi, y: state.y, heavy, before: { vpsi: state.vpsi, vy: state.vy }, after };
-    return forward(q, { ...state, ...after, t: 0 }, collision, { ...state, t: 0, until: -back });
-}
-
 /// Of a body with the heights rho (L70): q is its Q.
 export function forward(q, state, collision, first, rho = 1 / q) {
     const collisions = collision ? [collision] : [];
@@ -52,12 +43,12 @@ export function forward(q, state, collision, first, rho = 1 / q) {
     const isCorner = next !== null && collisions.length < mostCollisions;
     const complete = next === null && !(state.vy < 0); // what falls hits the floor: doubles did not find where
     const until = state.t + (isCorner ? next.after : shownAfter(state));
-    return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
+    return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner };
 }
 
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
 /// one, each with times from the middle on.
-export function joined(q, middle, out, back, scene, rho = 1 / q) {
+export function joined(q, middle, out, back, rho = 1 / q) {
     const past = back.map((c) => ({ ...c, t: -c.t, before: reversed(c.after), after: reversed(c.before) })).reverse();
     const all = [...past, middle, ...out];
     const zero = all[0].t;
@@ -72,7 +63,6 @@ export function joined(q, middle, out, back, scene, rho = 1 / q) {
         first: { ...first, until: first.t - shownAfter({ y: a.y, ...reversed(a.before) }) },
         last: { ...last, until: last.t + shownAfter(last) },
         complete: true,
-        scene,
     };
 }
 

@@ -14,7 +14,7 @@ export class PhaseView {
             home: { x0: -4, x1: 4, y0: -0.1, y1: 1.4 },
             height: 340,
             xLabel: "\u03c8 = \u03c6 \u2212 \u03c0/2: angle from upright",
-            yLabel: () => (this.orbit?.scene === "wedge" ? "height" : "y: height (rod lengths)"),
+            yLabel: "y: height (rod lengths)",
             xTicks: angleTicks,
             draw: (plane) => this.draw(plane),
         });
@@ -61,11 +61,7 @@ export class PhaseView {
     }
 
     floor(psi) {
-        return this.orbit.scene === "wedge" ? Math.abs(psi) - Math.PI / 2 : floorAt(psi, this.orbit.rho) * this.unit;
-    }
-
-    isHeavy(psi) {
-        return this.orbit.scene !== "wedge" && Math.cos(psi) > 0;
+        return floorAt(psi, this.orbit.rho) * this.unit;
     }
 
     drawFloor(plane) {
@@ -86,7 +82,7 @@ export class PhaseView {
         let wall = [place(0)];
         for (let i = 0; i < parts; ++i) {
             wall.push(place(i + 1));
-            const [here, next] = [psiAt(i + 0.5), psiAt(i + 1.5)].map((psi) => this.isHeavy(psi));
+            const [here, next] = [psiAt(i + 0.5), psiAt(i + 1.5)].map((psi) => Math.cos(psi) > 0);
             if (here !== next || i === parts - 1) {
                 plane.line(wall, here ? "--heavy" : "--light", 2);
                 wall = [place(i + 1)];

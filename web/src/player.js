@@ -23,8 +23,7 @@ export class Player {
         this.position = h("input", { type: "range", min: 0, step: 0.001, class: "scrub", "aria-label": "Position in the orbit", oninput: () => this.scrub() });
         this.playButton = this.button("Play", () => this.toggle());
         this.rows = h("div", {});
-        this.summary = h("summary", {});
-        this.details = h("details", { ontoggle: () => this.fillRows() }, this.summary, this.rows);
+        this.details = h("details", { ontoggle: () => this.fillRows() }, h("summary", {}, "Every collision in numbers (doubles; heights in rod lengths)"), this.rows);
         this.element = h(
             "div",
             { class: "player", onkeydown: (event) => this.key(event) },
@@ -53,13 +52,9 @@ export class Player {
         this.orbit = orbit;
         this.clock = new Clock(orbit);
         const top = Math.max(orbit.first.until < orbit.first.t || orbit.collisions.length === 0 ? stateAt(orbit, this.clock.times[0]).y : orbit.first.y, 0);
-        const isDumbbell = orbit.scene === "dumbbell";
-        this.dumbbell.element.hidden = !isDumbbell;
-        this.element.classList.toggle("single", !isDumbbell);
         const from = this.clock.times[0];
         this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.rho) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
         this.phase.setOrbit(orbit);
-        this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? "; heights in rod lengths" : ""})`;
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
         this.goto(0);
@@ -81,7 +76,7 @@ export class Player {
     }
 
     tell(state, hit) {
-        const { collisions, q, rho, complete, isCorner, scene } = this.orbit;
+        const { collisions, q, rho, complete, isCorner } = this.orbit;
         const unit = lengthUnit(this.orbit);
         const n = `${collisions.length}${complete ? "" : " or more"}`;
         const all = `${n} ${collisions.length === 1 ? "collision" : "collisions"}`;
@@ -96,7 +91,7 @@ export class Player {
         const numbers = hit
             ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, 1 / q, rho), 3)}`
             : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy * unit, 4)}`;
-        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)}${scene === "wedge" ? "" : " rod lengths"}; ${numbers}.`;
+        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)} rod lengths; ${numbers}.`;
     }
 
     scrub() {

@@ -1,6 +1,6 @@
 // The orbit of a certificate's witness, and the two extremal orbits: rays that go from wall to wall by lemma L4. The start and the
 // numbers of collisions are the certificate's; what is between is computed here in doubles, as an illustration.
-import { bounced, reflected } from "./flight.js";
+import { reflected } from "./flight.js";
 import { forward, joined, mostCollisions } from "./orbit.js";
 
 /// |dpsi/dt| on a flight of slope kappa, in the unit of time in which psi'^2 + q y'^2 = 1.
@@ -73,44 +73,7 @@ export function bridgeOrbit(e, eta, q, rho = 1 / q) {
         const after = { vpsi: direction * speed(slope, r), vy: slope * speed(slope, r) };
         return rho === r ? follow(height + slope * run, slope, r, direction, run) : forward(q, { ...middle, ...after }, middle, middle, rho).collisions.slice(1);
     };
-    return joined(q, middle, way(out, -1, Math.PI - e), way(back, +1, e), "dumbbell", rho);
-}
-
-/// In a wedge with straight walls y = |psi| - pi/2, from the distance x of the corner: the ray to the other side.
-function followWedge(x, kappa, r, direction) {
-    const collisions = [];
-    let t = 0;
-    while (kappa < 1 && collisions.length < mostCollisions) {
-        const v = speed(kappa, r);
-        const next = (x * (1 + kappa)) / (1 - kappa);
-        t += (x + next) / v;
-        const at = { psi: direction * (Math.PI / 2 + next), y: next };
-        const before = { vpsi: direction * v, vy: kappa * v };
-        const D = 1 - 2 * kappa - r;
-        collisions.push({ t, ...at, heavy: false, before, after: bounced(before, direction, r) });
-        if (!(D > 0)) {
-            break;
-        }
-        kappa = (kappa + 2 * r - r * kappa) / D;
-        x = next;
-        direction = -direction;
-    }
-    return collisions;
-}
-
-/// A turning collision of slope r lambda in the wedge (L17). It has no scale: drawn so that its last contact is 1 from the vertex.
-export function wedgeOrbit(lambda, q) {
-    const r = 1 / q;
-    const kappa = r * lambda;
-    const D = 1 + 2 * r * lambda - r;
-    const mu = (2 + r * lambda - lambda) / D;
-    const at = (x) => [followWedge(x, kappa, r, -1), D > 0 ? followWedge(x, r * mu, r, -1) : []];
-    const x = 1 / Math.max(1, ...at(1).flat().map((c) => c.y));
-    const [out, back] = at(x);
-    const v = speed(kappa, r);
-    const after = { vpsi: -v, vy: kappa * v };
-    const middle = { t: 0, psi: Math.PI / 2 + x, y: x, heavy: false, before: bounced(after, 1, r), after };
-    return joined(q, middle, out, back, "wedge");
+    return joined(q, middle, way(out, -1, Math.PI - e), way(back, +1, e), rho);
 }
 
 /// The extremal orbits of proofs/theorem.md, as limits of contacts with the bridge: at its top, and at its corner.

@@ -18,8 +18,8 @@ collisions::Claim rod_of(const Given& given, const std::optional<std::string>& l
 }
 
 collisions::Claim given_numbers(const Given& given, const std::optional<std::string>& line) {
-    if (!given.has("--rho") || (!line && !given.has("--inertia"))) {
-        throw InputError("--scene body needs --rho and --inertia, or --coin, or --rod-mass with RATIO");
+    if (!line && !given.has("--inertia")) {
+        throw InputError("--rho needs --inertia: the two numbers of a body");
     }
     return collisions::claim_of_body(given.text("--rho"), line ? *line : given.text("--inertia"));
 }
@@ -27,15 +27,10 @@ collisions::Claim given_numbers(const Given& given, const std::optional<std::str
 }  // namespace
 
 bool is_about_body(const Given& given) {
-    return given.has("--coin") || given.has("--rod-mass") || given.has("--rho") ||
-           given.text("--scene") == "body";
+    return given.has("--coin") || given.has("--rod-mass") || given.has("--rho");
 }
 
 collisions::Claim body_claim(const Given& given, const std::optional<std::string>& line) {
-    const auto scene = given.has("--scene") ? given.text("--scene") : "body";
-    if (scene != "body") {
-        throw InputError("bodies are of --scene body");
-    }
     if (!given.has("--rod-mass") && given.has("RATIO")) {
         throw InputError("a body has a RATIO only with --rod-mass; else give --rho and --inertia, or --coin");
     }

@@ -9,13 +9,14 @@
 
 namespace dumbbell::cli {
 
-/// Which body, of the scene body.
+/// Which body.
 inline constexpr std::array body_options{
-    Option{"--rho", "RHO", "d2/d1 of the distances of the contacts from the centre of mass"}.of("bodies"),
+    Option{"--rho", "RHO",
+           "d2/d1 of the distances of the contacts from the centre of mass; certify: or LO:HI"}
+        .of("bodies"),
     Option{"--inertia", "Q", "(d1/k)^2, k the radius of gyration, or a range LO:HI"}.needs("--rho").of(
         "bodies"),
-    flag("--coin",
-         "a thin coin that turns in a plane, about a horizontal diameter: --scene body --rho 1 --inertia 4")
+    flag("--coin", "a thin coin that turns in a plane, about a horizontal diameter: --rho 1 --inertia 4")
         .excludes("--rho,--rod-mass")
         .of("bodies"),
     Option{"--rod-mass", "MU", "the dumbbell RATIO with a uniform rod of MU times the mass of both ends"}

@@ -1,7 +1,5 @@
 #include "cli/claims/collisions.hpp"
 
-#include <fmt/core.h>
-
 #include "base/error.hpp"
 #include "cli/claims/body.hpp"
 #include "collisions/section.hpp"
@@ -9,14 +7,9 @@
 namespace dumbbell::cli {
 namespace {
 
-collisions::Claim dumbbell_or_wedge(const Given& given, const RatioArgument& ratio) {
-    const auto section = collisions::section_named(given.text("--scene"), given.text("--section"));
-    if (!section) {
-        throw InputError(
-            fmt::format("--section {} is for the scene dumbbell: the wedges have --section turning",
-                        given.text("--section")));
-    }
-    return {.range = {ratio.lo, ratio.hi}, .system = {*section}};
+collisions::Claim dumbbell_claim(const Given& given, const RatioArgument& ratio) {
+    const auto section = collisions::section_named("dumbbell", given.text("--section"));
+    return {.range = {ratio.lo, ratio.hi}, .system = {section.value()}};
 }
 
 }  // namespace
@@ -25,7 +18,7 @@ collisions::Claim claim_of(const Given& given, const std::optional<std::string>&
     const bool body = is_about_body(given);
     collisions::Claim claim =
         body ? body_claim(given, line)
-             : dumbbell_or_wedge(given, parse_ratio_argument(line ? *line : given.text("RATIO")));
+             : dumbbell_claim(given, parse_ratio_argument(line ? *line : given.text("RATIO")));
     if (body && given.has("--section")) {
         if (given.text("--section") != "plain") {
             throw InputError("bodies are proved by their tangents, or by --section plain");

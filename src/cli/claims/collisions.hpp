@@ -13,8 +13,6 @@ inline constexpr Option ratio_option = argument("RATIO", "mass ratio, or closed 
 
 /// What `certify` is to prove of it.
 inline constexpr std::array claim_options{
-    Option{"--scene", "dumbbell|hybrid|wedge|body",
-           "the system: dumbbell, the source paper's hybrid or straight wedge, or a rigid body", "dumbbell"},
     Option{"--section", "turning|full|plain",
            "what is covered: turning (one collision of each trajectory), full (all collision states, counted "
            "forward), or plain (full, by interval evaluation alone)",

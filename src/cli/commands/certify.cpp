@@ -12,6 +12,7 @@
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/open_pieces.hpp"
+#include "cli/commands/rectangle.hpp"
 #include "cli/commands/start_in_the_air.hpp"
 #include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
@@ -66,7 +67,9 @@ bounds a coin. proofs/body.md says what bodies are.
 Examples:
   dumbbell certify --coin                          a thin coin: at most 4 collisions, and 4 occur
   dumbbell certify 10 --rod-mass 1/100             the rod has a hundredth of the mass of its ends
-  dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin)"},
+  dumbbell certify --rho 1 --inertia 2:5 --out symmetric.dbc    symmetric ones, with the uniform rod and the coin
+  dumbbell certify --rho 0.3:0.4 --inertia 10:18                a rectangle of bodies: all of them have 5
+  dumbbell certify --rho 0.01:1 --inertia 1:100 --decided 0.99 --out plane.dbc    the plane, in cells)"},
     Topic{
         "lists", lists_text,
         R"(--out names a new folder, for the certificates. The same command goes on with the lines that have none yet; until all
@@ -77,16 +80,25 @@ Examples:
   dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates
   dumbbell certify --list inertias.txt --rho 1/2       each Q of a file)"}};
 
+/// With --list it may be a folder's name.
+constexpr Option out_option = certificate_option.checked(
+    [](const std::string& name) { return name.empty() ? fault_of_name(name, std::nullopt) : std::string(); });
+
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
-    std::array{list_option.excludes("RATIO,--coin,--inertia,--part,--witness,--quiet"), strict_option,
-               part_option, certificates_option, jobs_option,
-               budget_option.saying("give up after this time: 30s, 10m, 2h"),
-               flag("--witness",
-                    "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
-                    "collisions, also a start in the air for trace, where one is found")
-                   .excludes("--quiet"),
-               json_option, flag("--quiet", "no table and no progress: what is proved, in a sentence")});
+    std::array{
+        Option{"--decided", "SHARE",
+               "of --rho LO:HI with --inertia LO:HI: the number of each of so many of the bodies with Q "
+               "rho > 1, by area in (log rho, log Q), from 0 to 1; not one number for all of them"}
+            .needs("--rho")
+            .of("bodies"),
+        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), part_option,
+        out_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        flag("--witness",
+             "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
+             "collisions, also a start in the air for trace, where one is found")
+            .excludes("--quiet"),
+        json_option, flag("--quiet", "no table and no progress: what is proved, in a sentence")});
 
 std::optional<collisions::RatioPart> part_of(const Given& given, const collisions::Claim& whole) {
     if (!given.has("--part")) {
@@ -104,8 +116,7 @@ bool has_orbits(const CertifyRequest& request) { return row_of(request.claim.sys
 CertifyRequest certify_request(const Given& given, const std::optional<std::string>& line = std::nullopt) {
     CertifyRequest request{.claim = claim_of(given, line)};
     if (given.has("--witness") && !has_orbits(request)) {
-        throw InputError(fmt::format("--witness prints orbits of the dumbbell: leave it out with --scene {}",
-                                     row_of(request.claim.system.section).scene));
+        throw InputError("--witness prints orbits of the dumbbell, not of bodies: leave it out");
     }
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
@@ -243,7 +254,12 @@ int run_certify(const Given& given) {
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
     }
-    require_certificate_name(given);
+    if (given.has("--out")) {
+        require_name_of(given.text("--out"), Content::certificate);
+    }
+    if (is_rectangle(given)) {
+        return certify_rectangle(given);
+    }
     CertifyRequest request = certify_request(given);  // before the output file is touched
     const auto part = part_of(given, request.claim);
     if (part) {

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <chrono>
 #include <tuple>
 
 #include "base/deadline.hpp"
@@ -32,7 +31,6 @@ Examples:
   dumbbell critical 3:20                                 the first 18 steps
   dumbbell critical 10^12 --digits 50                    a very long orbit, by macro steps
   dumbbell critical 3:902 --digits 50 --out ratios.tsv   a table as a file
-  dumbbell critical 3:10000 --part 7/64 --out part-07.tsv    one of 64 parts, for dumbbell join
   dumbbell critical 4:9 --rho 1/2                        of bodies with this rho: N or more collisions iff Q > Q_c(N)
   dumbbell critical --ratio 10 --rod-mass                masses of the dumbbell's rod at which N falls
 
@@ -45,12 +43,11 @@ SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 constexpr std::array critical_options{
     argument("N", "number of collisions from 3 to 10^17, or closed range N1:N2"),
     Option{"--rho", "RHO", "of rigid bodies with this d2/d1: the Q = (d1/k)^2 at which N steps"}.excludes(
-        "--part,--ratio"),
-    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N,--part"),
+        "--ratio"),
+    Option{"--ratio", "RATIO", "of the dumbbell of this mass ratio"}.needs("--rod-mass").excludes("N"),
     flag("--rod-mass", "the masses of its uniform rod, in units of that of both ends, at which N falls")
         .needs("--ratio"),
     Option{"--digits", "N", "significant digits, all of them proved", "15"}.from(1, critical::most_digits),
-    part_option,
     Option{"--out", "FILE",
            "write the table to FILE, tab-separated (FILE.gz: compressed); -: the standard output"}
         .checked(fault_of_name<Content::table>),
@@ -58,29 +55,6 @@ constexpr std::array critical_options{
     budget_option,
     json_option,
     flag("--quiet", "the ratios alone, a line each, and no progress")};
-
-/// Without --budget nothing longer is begun.
-constexpr std::chrono::duration<double> long_time = std::chrono::hours(1);
-/// What takes longer is announced.
-constexpr std::chrono::duration<double> some_time = std::chrono::minutes(1);
-
-/// Says how long it will take, if long. Throws InputError if it would take very long and no budget is given.
-void check_time(const critical::Request& request, bool quiet) {
-    if (request.budget) {
-        return;
-    }
-    const auto time = estimated_time(request);
-    const std::string text = time_text(time.count());
-    if (time > long_time) {
-        throw InputError(
-            fmt::format("this would take about {} ({}): ask for less, or give a --budget, for "
-                        "example --budget 2h",
-                        text, plural(request.jobs, "thread")));
-    }
-    if (time > some_time && !quiet) {
-        remark("this will take about " + text);
-    }
-}
 
 std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosity) {
     const bool one = request.first == request.last;
@@ -123,20 +97,14 @@ critical::Request critical_request(const Given& given) {
     if (given.has("N") == (bodies && bodies->have_rods)) {
         throw InputError("critical needs N or N1:N2, or --ratio RATIO --rod-mass");
     }
-    const Part part = given.has("--part") ? parse_part(given.text("--part")) : Part();
     if (given.has("N")) {
-        std::tie(request.first, request.last) = parse_counts(given.text("N"), part.of);
-    }
-    if (given.has("--part")) {
-        request = critical::part_of(part, request.first, request.last);
+        std::tie(request.first, request.last) = parse_counts(given.text("N"));
     }
     request.digits = static_cast<int>(given.number("--digits"));
     request.jobs = jobs_of(given);
     request.budget = budget_of(given);
     request.bodies = bodies;
-    if (!bodies) {
-        check_time(request, given.has("--quiet"));
-    } else if (!bodies->have_rods) {
+    if (bodies && !bodies->have_rods) {
         check_counts(request);
     }
     return request;

@@ -9,18 +9,13 @@ namespace dumbbell::cli {
 namespace {
 
 constexpr const char* generate_description =
-    R"(Print what is made from the table of commands and options: man page, bash completion, or docs/reference/commands.md.
+    "Print what is made from the table of commands and options: man page, or docs/reference/commands.md.";
 
-Example: source <(dumbbell generate completion))";
-
-constexpr std::array generate_options{
-    Option{"WHAT", "man|completion|reference", "man, completion or reference"}.required()};
+constexpr std::array generate_options{Option{"WHAT", "man|reference", "man or reference"}.required()};
 
 int run_generate(const Given& given) {
     const std::string what = given.text("WHAT");
-    fmt::print("{}", what == "man"          ? pages::man_page(dumbbell_command)
-                     : what == "completion" ? pages::bash_completion(dumbbell_command)
-                                            : pages::reference(dumbbell_command));
+    fmt::print("{}", what == "man" ? pages::man_page(dumbbell_command) : pages::reference(dumbbell_command));
     return exit_done;
 }
 

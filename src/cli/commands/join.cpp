@@ -11,9 +11,10 @@
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
+#include "cli/terminal/output.hpp"
 #include "cli/terminal/stop_signals.hpp"
-#include "critical/table.hpp"
 #include "file/verifier_program.hpp"
+#include "number/decimal.hpp"
 #include "number/parallel.hpp"
 #include "number/ratio_argument.hpp"
 #include "words/printed.hpp"
@@ -24,15 +25,13 @@ namespace {
 constexpr const char* join_description =
     R"(Verify the parts of a range, and join them into one file.
 
-The parts are certificates of dumbbell certify, in any order, or tables of dumbbell critical. Nothing is believed:
-dumbbell-verify verifies each certificate, and each enclosure of a table is checked by the signs at its ends. The parts
-must make the whole --range, with no hole and no overlap. Pieces that the parts cut in two stay two. What is wrong,
-missing or open is named, with the command that makes it again.
+The parts are certificates of dumbbell certify, in any order. Nothing is believed: dumbbell-verify verifies each. The
+parts must make the whole --range, with no hole and no overlap. Pieces that the parts cut in two stay two. What is
+wrong, missing or open is named, with the command that makes it again.
 
 Examples:
   for k in 1 2 3 4; do dumbbell certify 1:1e4 --part $k/4 --out part-$k.dbc; done
-  dumbbell join part-*.dbc --range 1:1e4 --out stairs.dbc
-  dumbbell join part-*.tsv --range 3:902 --out ratios.tsv    tables of critical ratios)";
+  dumbbell join part-*.dbc --range 1:1e4 --out stairs.dbc)";
 
 constexpr const char* join_footer =
     R"(Exit codes: 0 joined; 1 internal error; 2 wrong usage or input, or a part that is wrong or missing; 3 a part has
@@ -41,33 +40,24 @@ something open; 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM. FILE is writte
 constexpr std::array join_options{
     argument("FILE", "the parts").required().repeated(),
     Option{"--out", "FILE", "write the whole to FILE (FILE.gz: compressed); -: the standard output"}
-        .checked([](const std::string& name) { return fault_of_name(name, std::nullopt); })
+        .checked(fault_of_name<Content::certificate>)
         .required(),
-    Option{"--range", "LO:HI",
-           "what the parts must make together: mass ratios, Q of bodies, or N1:N2 of tables"}
-        .required(),
+    Option{"--range", "LO:HI", "what the parts must make together: mass ratios, or Q of bodies"}.required(),
     Option{"--gap", "REL",
-           "the --gap of the parts, for the commands that make certificates again; default: their widest"},
+           "the --gap of the parts, for the commands that make them again; default: their widest"},
     flag("--open", "write FILE even if something in it is open"),
     jobs_option.saying("threads that verify"),
     json_option,
     flag("--quiet", "no progress")};
 
-std::unique_ptr<Parts> parts_of(const Given& given) {
+Parts parts_of(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
     if (std::ranges::find(names, "-") != names.end()) {
         throw InputError(
             "join reads its parts again and again, so none can be -, the standard input; a file of "
             "that name is ./-");
     }
-    const auto table = std::ranges::find_if(names, critical::is_table);
-    const auto other = std::ranges::find_if_not(names, critical::is_table);
-    if (table != names.end() && other != names.end()) {
-        throw InputError(fmt::format(
-            "'{}' is a table of critical ratios, and '{}' is not: join one kind at a time", *table, *other));
-    }
-    const auto gap = given.has("--gap") ? std::optional(parse_gap(given.text("--gap"))) : std::nullopt;
-    return table != names.end() ? table_parts(names.size()) : certificate_parts(names.size(), gap);
+    return {names.size(), given.has("--gap") ? std::optional(parse_gap(given.text("--gap"))) : std::nullopt};
 }
 
 /// All files, or, if the program is asked to stop, some.
@@ -96,16 +86,16 @@ std::vector<PartFile> taken(Parts& parts, const std::vector<std::string>& names,
 /// By their ranges; those without one first.
 void sort(std::vector<PartFile>& files) {
     std::ranges::stable_sort(files, {}, [](const PartFile& file) {
-        return file.range ? std::pair(file.range->begin, file.range->end) : std::pair<Rational, Rational>();
+        return file.range ? std::pair(file.range->lo, file.range->hi) : std::pair<Rational, Rational>();
     });
 }
 
-Json to_json(const Parts& parts, const std::vector<PartFile>& files) {
+Json to_json(const std::vector<PartFile>& files) {
     Json json = Json::array();
     for (const PartFile& file : files) {
         json.add(Json::object({{"file", file.name},
-                               {"first", parts.first(*file.range)},
-                               {"last", parts.last(*file.range)},
+                               {"first", exact_text(file.range->lo)},
+                               {"last", exact_text(file.range->hi)},
                                {"pieces", file.pieces},
                                {"open", file.open}}));
     }
@@ -114,16 +104,15 @@ Json to_json(const Parts& parts, const std::vector<PartFile>& files) {
 
 int run_join(const Given& given) {
     const std::vector<std::string>& names = given.words("FILE");
-    const auto parts = parts_of(given);
-    require_name_of(given.text("--out"), parts->content());
-    const Range whole = parts->parse_range(given.text("--range"), names.front());
+    Parts parts = parts_of(given);
+    const collisions::Range whole = parse_range(given.text("--range"), names.front());
     const Output output(given.text("--out"), names, given.has("--json") ? "--json" : nullptr);
-    auto files = taken(*parts, names, jobs_of(given), verbosity_of(given));
+    auto files = taken(parts, names, jobs_of(given), verbosity_of(given));
     if (stop_signal != 0) {
         return stopped("nothing is joined");
     }
     sort(files);
-    const auto faults = faults_of(*parts, files, whole);
+    const auto faults = faults_of(parts, files, whole);
     std::ranges::for_each(faults, complain);
     if (!faults.empty()) {
         return exit_bad_input;
@@ -133,26 +122,26 @@ int run_join(const Given& given) {
         open += file.open;
         if (file.open > 0) {
             complain(with_command(
-                *parts, file, fmt::format("'{}' leaves {} of {} open", file.name, file.open, file.pieces)));
+                parts, file, fmt::format("'{}' leaves {} of {} open", file.name, file.open, file.pieces)));
         }
     }
     if (open > 0 && !given.has("--open")) {
         complain("nothing is written: to join what is open, too, add --open");
         return exit_not_certified;
     }
-    const SealedText text = parts->join(files);
+    const SealedText text = parts.join(files);
     output.commit(text.text);
     fmt::print(output.report(), "{}",
                given.has("--json")
                    ? json_text(Json::object({{"schema", "dumbbell-join-1"},
-                                             {"first", parts->first(whole)},
-                                             {"last", parts->last(whole)},
-                                             {"parts", to_json(*parts, files)},
+                                             {"first", exact_text(whole.lo)},
+                                             {"last", exact_text(whole.hi)},
+                                             {"parts", to_json(files)},
                                              {"open", open},
                                              {"out", output.file()},
                                              {"sha256", text.sha256}}))
                    : fmt::format("{} verified, together {}: sha256 {}\n", plural(files.size(), "part"),
-                                 parts->words(whole), text.sha256));
+                                 parts.words(whole), text.sha256));
     return open > 0 ? exit_not_certified : exit_done;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "cli/terminal/output.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 const PartFile* first_believed(const Parts& parts, const std::vector<PartFile>& files) {
     const PartFile* first = nullptr;
     for (const PartFile& file : files) {
-        if (!file.fault.empty() || !file.kind) {
+        if (!file.fault.empty()) {
             continue;
         }
         first = first == nullptr ? &file : first;
@@ -27,10 +28,15 @@ const PartFile* first_believed(const Parts& parts, const std::vector<PartFile>& 
     return first;
 }
 
+/// With an ending that certify takes.
+std::string file_name(const std::string& name) {
+    return name + (fault_of_name(name, Content::certificate).empty() ? "" : ".dbc");
+}
+
 }  // namespace
 
 std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFile>& files,
-                                   const Range& whole) {
+                                   const collisions::Range& whole) {
     std::vector<std::string> faults;
     const PartFile* believed = first_believed(parts, files);
     int missing = 0;
@@ -38,13 +44,13 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
         if (from < to) {
             std::string name;
             do {
-                name = parts.file_name(fmt::format("missing-{}", ++missing));
+                name = fmt::format("missing-{}.dbc", ++missing);
             } while (std::filesystem::exists(name));
             faults.push_back(fmt::format("missing: {}; to make them: {} --out {}", parts.words({from, to}),
                                          parts.command({from, to}, believed), name));
         }
     };
-    Rational reached = whole.begin;
+    Rational reached = whole.lo;
     const PartFile* furthest = nullptr;
     for (const PartFile& file : files) {
         if (!file.fault.empty()) {
@@ -59,7 +65,7 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
             faults.push_back(
                 fmt::format("'{}' and '{}' overlap: leave one of them out", furthest->name, file.name));
         }
-        if (begin < whole.begin || end > whole.end) {
+        if (begin < whole.lo || end > whole.hi) {
             faults.push_back(
                 fmt::format("'{}' ({}) reaches beyond --range", file.name, parts.words(*file.range)));
         }
@@ -68,15 +74,14 @@ std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFil
             furthest = &file;
         }
     }
-    reach(reached, whole.end);
+    reach(reached, whole.hi);
     return faults;
 }
 
 std::string with_command(const Parts& parts, const PartFile& file, const std::string& line) {
-    return !file.range
-               ? line
-               : fmt::format("{}; to make it again: {} --out {}", line, parts.command(*file.range, &file),
-                             shell_file(parts.file_name(file.name)));
+    return !file.range ? line
+                       : fmt::format("{}; to make it again: {} --out {}", line,
+                                     parts.command(*file.range, &file), shell_file(file_name(file.name)));
 }
 
 }  // namespace dumbbell::cli

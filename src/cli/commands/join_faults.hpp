@@ -8,7 +8,7 @@ namespace dumbbell::cli {
 /// much, and for what is missing, with the command that makes it. Throws InputError if they are parts of
 /// several claims.
 [[nodiscard]] std::vector<std::string> faults_of(const Parts& parts, const std::vector<PartFile>& files,
-                                                 const Range& whole);
+                                                 const collisions::Range& whole);
 
 /// A line about a part, with the command that makes it again, if that is known.
 [[nodiscard]] std::string with_command(const Parts& parts, const PartFile& file, const std::string& line);

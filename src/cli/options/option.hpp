@@ -9,8 +9,8 @@
 
 #include "base/fields.hpp"
 
-/// The commands and options of the program as data. The command line is read by them, and help, man page,
-/// completion and reference are made from them.
+/// The commands and options of the program as data. The command line is read by them, and help, man page
+/// and reference are made from them.
 namespace dumbbell::cli {
 
 class Given;

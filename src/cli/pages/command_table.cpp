@@ -59,11 +59,6 @@ std::vector<Section> sections(const Place& place) {
     return all;
 }
 
-bool is_file(const Option& option) {
-    const std::string_view value = option.is_argument() ? option.name : option.value;
-    return value.starts_with("FILE");
-}
-
 std::string spelling(const Option& option) {
     return fmt::format(
         "{}{}{}{}", fmt::join(option.names(), ", "), option.is_argument() && option.is_repeated ? "..." : "",

@@ -5,7 +5,7 @@
 
 #include "cli/options/option.hpp"
 
-/// What help, man page, completion and reference say of a command and of an option, in the same words.
+/// What help, man page and reference say of a command and of an option, in the same words.
 namespace dumbbell::cli::pages {
 
 /// A command where it stands in the table.
@@ -33,8 +33,6 @@ struct Section {
 
 /// How it is called: the name, [OPTIONS] and the arguments, or COMMAND; in brackets what may be left out.
 [[nodiscard]] std::string usage(const Place& place);
-
-[[nodiscard]] bool is_file(const Option& option);
 
 /// The option as it is typed: `--out FILE`.
 [[nodiscard]] std::string spelling(const Option& option);

@@ -8,10 +8,6 @@
 /// What is made from the table of commands and options.
 namespace dumbbell::cli::pages {
 
-/// A script for bash that completes commands, options, their words and file names, of dumbbell and of
-/// dumbbell-verify, whose options are those of `dumbbell verify`.
-[[nodiscard]] std::string bash_completion(const Command& program);
-
 /// The --help of a command: its options in the words of the man page, in lines of at most 120 columns. Of one
 /// that is nothing but its commands: each of these in a line, on one screen; the whole of its description
 /// stands in the manual. `topic`: which of the command's, so that this alone is printed; empty: none.

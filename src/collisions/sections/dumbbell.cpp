@@ -109,24 +109,20 @@ constexpr std::array turning_charts{Chart::bridge, Chart::light};
 constexpr std::array full_charts{Chart::contact, Chart::departure, Chart::again},
     plain_charts{Chart::plain_contact, Chart::plain_departure, Chart::again};
 
-constexpr SectionRow turning{
-    .scene = "dumbbell",
-    .section = "turning",
-    .lemmas = "1",
-    .section_in_file = "turning",
-    .hits = "trajectory hits the floor",
-    .hits_it = "trajectory hits it",
-    .system = "The dumbbell",
-    .where = "",
-    .title = "Greatest number of collisions of a bouncing dumbbell against its mass ratio",
-    .growth = "0.885595129452713911412021948915",  // C of docs/10-law.md
-    .most_digits = 100,
-    .has_orbits = true,
-    .has_paper_bound = true,
-    .charts = turning_charts,
-    .step = dumbbell_step,
-    .by_lemma = equal_masses,
-    .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
+constexpr SectionRow turning{.scene = "dumbbell",
+                             .section = "turning",
+                             .lemmas = "1",
+                             .section_in_file = "turning",
+                             .hits = "trajectory hits the floor",
+                             .hits_it = "trajectory hits it",
+                             .growth = "0.885595129452713911412021948915",  // C of docs/10-law.md
+                             .most_digits = 100,
+                             .has_orbits = true,
+                             .has_paper_bound = true,
+                             .charts = turning_charts,
+                             .step = dumbbell_step,
+                             .by_lemma = equal_masses,
+                             .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
 
 /// All states, not a section of them.
 constexpr SectionRow all_states(std::string_view section, std::string_view lemmas,

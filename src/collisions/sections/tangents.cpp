@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "collisions/chart.hpp"
 #include "collisions/names.hpp"
@@ -46,6 +47,17 @@ std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, con
     return holds ? std::optional(Cover{.symmetric = true, .charts = {}}) : std::nullopt;
 }
 
+/// At cot^2(pi / (2 (n - 1))) (L72).
+Step symmetric_step(long n, double gap, const Interrupted& /*interrupted*/) {
+    if (n == 4) {
+        return {n, 3, 0, true};
+    }
+    const PrecisionScope scope(64 + static_cast<int>(-3.33 * std::log10(gap)));
+    const auto at = sin_cos(half_pi<BigInterval>() / BigInterval(static_cast<double>(n - 1)));
+    const BigInterval q = sqr(at.cos / at.sin);
+    return {n, exact_lo(q), (exact_hi(q) - exact_lo(q)) / exact_lo(q), false};
+}
+
 constexpr std::array tangent_charts{Chart::tangent};
 constexpr std::array plain_body_charts{Chart::plain_contact, Chart::plain_departure};
 
@@ -65,9 +77,6 @@ constexpr SectionRow body_row{.scene = "body",
                               .section_in_file = "tangents",
                               .hits = "motion of the body in a plane, without a corner, hits the floor",
                               .hits_it = "motion hits it",
-                              .system = "The body",
-                              .where = " of a body",
-                              .title = "Greatest number of collisions of a rigid body against Q = (d1/k)^2",
                               .growth = "1.570796326794896619231321691640",
                               .most_digits = 12,  // there are no macro steps in the valley
                               .max_nodes = 2'000,
@@ -88,6 +97,13 @@ const SectionRow plain_body_row = [] {
     row.charts = plain_body_charts;
     row.is_monotone = false;
     row.by_lemma = symmetric_cover;
+    return row;
+}();
+
+const SectionRow symmetric_row = [] {
+    SectionRow row = body_row;
+    row.exact_step = 3;
+    row.step = symmetric_step;
     return row;
 }();
 

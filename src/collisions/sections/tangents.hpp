@@ -27,17 +27,7 @@ class Tangents {
     }
     /// The same of T if J is `hits`.
     [[nodiscard]] long even(long hits, long cap) const {
-        flight::Ray<I> ray = flight::tangent_into_valley(I(0), rho_, r_);
-        for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
-            if (ends_early(bounces, interrupted_)) {
-                return cap + 1;
-            }
-            const flight::Bounce bounce = bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho_);
-            if (bounce != flight::Bounce::returns) {
-                return bounce == flight::Bounce::undecided ? cap + 1 : 0;
-            }
-        }
-        return count({low_end(pi<I>() * ray.kappa), ray.kappa, low_end(r_)}, cap);
+        return flight::even_at_most(hits, rho_, r_, cap, interrupted_);
     }
 
   private:

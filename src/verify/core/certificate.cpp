@@ -58,7 +58,7 @@ class CollisionsReader : public Reader<Leaf> {
   private:
     [[nodiscard]] std::string_view kind() const override { return "collisions"; }
     [[nodiscard]] std::string_view scene() const override { return section_.scene; }
-    [[nodiscard]] std::string missing() const override { return settings_.together ? "" : claim_.missing(); }
+    [[nodiscard]] std::string missing() const override { return claim_.missing(); }
     [[nodiscard]] const char* check(const Leaf& leaf, Log* log) const override {
         return section_.check(leaf, log);
     }
@@ -144,7 +144,7 @@ Header read_header(Text& text) {
 }
 
 Proof collisions(Text& text, const Settings& settings, const Section& section) {
-    return CollisionsReader(text, settings, section).proof();
+    return section.read ? section.read(text, settings) : CollisionsReader(text, settings, section).proof();
 }
 
 }  // namespace dumbbell_verify

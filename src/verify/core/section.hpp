@@ -2,11 +2,10 @@
 #pragma once
 #include <string_view>
 
-#include "verify/core/claim.hpp"
+#include "verify/core/settings.hpp"
+#include "verify/core/text.hpp"
 
 namespace dumbbell_verify {
-
-class Log;
 
 /// An exact box; the third axis is the mass ratio q = heavy / light >= 1, the last one rho of a body.
 struct Box {
@@ -51,6 +50,7 @@ struct Section {
     bool heavy_once = false;  ///< a cover also proves that the heavy mass touches the floor at most once
     std::string_view other_witness{};  ///< of a second kind; it has the chart 1
     bool every_body = false;           ///< any rho <= 1 and Q > 0; else q >= 1, and Q rho >= 1 (L70)
+    Proof (*read)(Text& text, const Settings& settings) = nullptr;  ///< a file that has no pieces
 };
 
 /// The least 2^k >= x, k >= 0. Precondition: x > 0.
@@ -60,11 +60,11 @@ inline mpq_class power_of_two(const mpq_class& x) {
     return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
-const Section &turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents();
+const Section &turning(), &full(), &plain(), &body(), &tangents(), &cells();
 
 /// All of them: (lemmas, scene, name) chooses.
-inline std::array<const Section*, 7> sections() {
-    return {&turning(), &full(), &plain(), &wedge(), &hybrid(), &body(), &tangents()};
+inline std::array<const Section*, 6> sections() {
+    return {&turning(), &full(), &plain(), &body(), &tangents(), &cells()};
 }
 
 }  // namespace dumbbell_verify

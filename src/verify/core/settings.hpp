@@ -17,7 +17,6 @@ struct Settings {
     std::string explain;       ///< PIECE:PATH or box.PATH, the leaf to show
     std::string scene, claim;  ///< demanded scene and kind; empty: none
     bool shares = false;       ///< of the numbers of collisions, from a box of starts
-    bool together = false;     ///< the demand is on several files as one: this one need not prove it
     bool heavy_once = false;   ///< demanded: the heavy mass touches at most once
     Collisions demand;
 
@@ -43,6 +42,7 @@ struct Proof {
     const struct Section* section = nullptr;  ///< if the file is about mass ratios
     bool heavy_once = false;                  ///< proved for every ratio: the heavy mass touches at most once
     double roots = 0;                         ///< number of root boxes
+    std::optional<mpq_class> decided;         ///< of a rectangle of bodies: at least this share
     bool explained = false;                   ///< the leaf that was asked for exists
     std::vector<Tally> tallies;               ///< split, the opcodes of the section, open
 };

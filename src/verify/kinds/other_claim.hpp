@@ -41,7 +41,7 @@ struct Verified : Proof {
     std::shared_ptr<const OtherClaim> other;
 
     [[nodiscard]] bool says_nothing(const Collisions& demand) const {
-        return other ? other->says_nothing(demand) : claim.says_nothing();
+        return other ? other->says_nothing(demand) : claim.says_nothing() && decided.value_or(0) == 0;
     }
 };
 

@@ -123,8 +123,7 @@ void state_claim(const ClaimWords& words, Request& settings) {
         settings.scene = *scene;
         const auto known = sections();
         if (std::none_of(known.begin(), known.end(), [&](const Section* s) { return s->scene == *scene; }))
-            throw std::invalid_argument("--scene is dumbbell, hybrid, wedge or body, not `" +
-                                        scene->substr(0, 60) + "`");
+            throw std::invalid_argument("--scene is dumbbell or body, not `" + scene->substr(0, 60) + "`");
     }
     if (const auto* claim = find(words, "--claim")) {
         settings.claim = *claim;
@@ -158,12 +157,8 @@ void state_claim(const ClaimWords& words, Request& settings) {
     require_fitting_kind(settings);
 }
 
-const Collisions& own_demand(const Settings& settings) {
-    static const Collisions nothing;
-    return settings.together ? nothing : settings.demand;
-}
-
-std::string demand_text(const Request& settings, const Collisions& demand) {
+std::string demand_text(const Request& settings) {
+    const Collisions& demand = settings.demand;
     std::string text;
     const bool both = demand.most && demand.most == demand.least;
     if (demand.ratios)

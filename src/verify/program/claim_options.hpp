@@ -13,12 +13,9 @@ bool claim_option(Arguments& given, ClaimWords& words);
 /// kind of claim, or needs another one.
 void state_claim(const ClaimWords& words, Request& settings);
 
-/// What a file must prove by itself.
-const Collisions& own_demand(const Settings& settings);
-
-/// What was demanded, of it and with the scene and the kind of `settings`: ` demanded-ratio=LO:HI
+/// What was demanded: ` demanded-ratio=LO:HI
 /// demanded-inertia=LO:HI demanded-rho=LO:HI max=N min=N demanded-gap=REL demanded-gaps=N demanded-scene=S
 /// demanded-claim=KIND demanded-phi=LO:HI ...` without what was not; ` exactly=N` for both bounds.
-std::string demand_text(const Request& settings, const Collisions& demand);
+std::string demand_text(const Request& settings);
 
 }  // namespace dumbbell_verify

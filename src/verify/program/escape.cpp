@@ -7,8 +7,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xef\xbf\xbd";  // U+FFFD
 
-/// How many bytes the first character has; 0 if it is not well-formed UTF-8, or none that XML may hold
-/// (U+FFFE and U+FFFF).
+/// How many bytes the first character has; 0 if it is not well-formed UTF-8, or U+FFFE or U+FFFF.
 std::size_t length(std::string_view text) {
     const auto byte = [&](std::size_t i) -> unsigned {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -62,25 +61,6 @@ std::string json_string(std::string_view text) {
         return code;
     };
     return '"' + transcribed(text, write) + '"';
-}
-
-std::string xml_text(std::string_view text) {
-    return transcribed(text, [](std::string_view character) -> std::string_view {
-        switch (character[0]) {
-            case '&':
-                return "&amp;";
-            case '<':
-                return "&lt;";
-            case '>':
-                return "&gt;";
-            case '"':
-                return "&quot;";
-            case '\n':
-                return character;
-            default:
-                return is_control(character) ? replacement : character;
-        }
-    });
 }
 
 }  // namespace dumbbell_verify

@@ -1,4 +1,4 @@
-// File names may hold any bytes: how they, and reasons, are written into lines, JSON and XML.
+// File names may hold any bytes: how they, and reasons, are written into lines and JSON.
 #pragma once
 #include <string>
 #include <string_view>
@@ -12,8 +12,5 @@ std::string leading_name(std::string_view name);
 std::string one_line(std::string_view text);
 /// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
-/// For an attribute between double quotes, or for text, of XML 1.0, which cannot hold control characters:
-/// they and bytes that are not UTF-8 become U+FFFD, but line feeds stay what they are.
-std::string xml_text(std::string_view text);
 
 }  // namespace dumbbell_verify

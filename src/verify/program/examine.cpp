@@ -1,7 +1,6 @@
 #include "verify/program/examine.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 
@@ -31,8 +30,6 @@ const char* verdict_name(Verdict verdict) { return names[static_cast<int>(verdic
 int exit_code(Verdict verdict) { return exit_codes[static_cast<int>(verdict)]; }
 
 Result examine(const Job& job) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
     const Request& settings = job.settings;
     Result result;
     result.job = &job;
@@ -41,14 +38,13 @@ Result examine(const Job& job) {
         if (!settings.explain.empty() && !result.proof.explained)
             result.why = {Verdict::unreadable, 0, "usage",
                           "there is no leaf " + settings.explain + "; " + trees(result.proof)};
-        else if (!settings.together && result.proof.says_nothing(settings.demand))
+        else if (result.proof.says_nothing(settings.demand))
             result.why = nothing_proved();
     } catch (Failure& failure) {
         result.why = std::move(failure);
     } catch (const std::exception& error) {  // out of memory, no more threads
         result.why = {Verdict::limit, 0, "limit", error.what()};
     }
-    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return result;
 }
 

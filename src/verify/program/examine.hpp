@@ -20,7 +20,6 @@ struct Result {
     const Job* job = nullptr;
     Failure why{Verdict::verified, 0, "", ""};  ///< if not verified
     Verified proof;                             ///< if the file is right
-    double seconds = 0;
 
     /// All that the file says is certified, if only that everything is open.
     [[nodiscard]] bool is_right() const {

@@ -15,20 +15,18 @@ constexpr std::string_view
 )",
     examples = R"(  dumbbell-verify --ratio 10 --exactly 4 ten.dbc       is N*(10) = 4 proved?
   dumbbell-verify --ratio 2:5/2 --max 3 stairs.dbc     at most 3 collisions on a part of the file's range?
-  dumbbell-verify --together --ratio 1:100 --max 10 part-*.dbc    do these files prove it together?
   dumbbell-verify ten.dbc                              what does this file prove?
   dumbbell-verify --explain 1:bridge ten.dbc           one leaf, in numbers
   dumbbell-verify --claim initial-conditions --min 1 falling.dbc    at least one collision from every start?
-  dumbbell-verify --junit proofs.xml --claims certificates/claims.tsv   in CI: every certificate, its own claim
+  dumbbell-verify --claims certificates/claims.tsv     in CI: every certificate, its own claim
   dumbbell-verify --ratio 3 --max 3 *.dbc | tail -n 1               how many files prove this?
-  dumbbell-verify --scene wedge --ratio 1:100 --max 16 wedge.dbc    the paper's model wedge
   dumbbell-verify --budget 10m huge.dbc                a staircase up to 10^8
   dumbbell-verify --jobs 1 --precision 200 --max-bits 4096 ten.dbc  slowly, in multiple precision, on one thread
 )",
     verdicts =
-        R"(FILE `-` is the standard input. For one file, and with --together, a sentence says what is proved, and the last line is
-the verdict: s VERIFIED, s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Without --together each of several
-files has one such line with its name, in the given order, and a line of totals ends them: c files=3 verified=2 ...
+        R"(FILE `-` is the standard input. For one file a sentence says what is proved, and the last line is the verdict: s VERIFIED,
+s OPEN, s REJECTED, s UNSUPPORTED, s UNREADABLE or s LIMIT. Each of several files has one such line with its name, in
+the given order, and a line of totals ends them: c files=3 verified=2 ...
 )",
     exit_codes =
         R"(Exit codes: 0 verified and proved; 1 rejected; 2 usage or unreadable; 3 unsupported, or open (no claim is stated, and no

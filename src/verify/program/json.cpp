@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "verify/core/section.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/machine/integer.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
@@ -45,7 +46,8 @@ std::string work(bool known, const Proof& proof) {
     return std::to_string(n / 1000) + "." + rest.substr(1);
 }
 std::string fraction(const std::optional<mpq_class>& x) { return x ? json_string(to_string(*x)) : "null"; }
-std::string demand(const Request& settings, const Collisions& d) {
+std::string demand(const Request& settings) {
+    const Collisions& d = settings.demand;
     const bool is_body = settings.scene == "body";
     std::vector<Member> numbers;
     for (const auto& [name, both] : settings.numbers)
@@ -68,22 +70,19 @@ std::string claim(const Result& result) {
     if (result.proof.other) return result.proof.other->json();
     const Collisions& c = result.proof.claim;
     const auto [from, to] = c.question();
-    return object({{"scene", json_string(result.proof.section->scene)},
-                   {"ratio", range(c.lo, c.hi)},
-                   {"rho", range(c.rho)},
-                   {"upper", count(c.upper)},
-                   {"lower", json_count(c.lower)},
-                   {"pieces", number(c.pieces)},
-                   {"gaps", number(c.gaps)},
-                   {"open", number(c.open)},
-                   {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
-                   {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}});
-}
-
-std::string list(const std::vector<Result>& files) {
-    std::string text;
-    for (const Result& file : files) text += (text.empty() ? "" : ",") + json(file);
-    return "[" + text + "]";
+    const auto& share = result.proof.decided;
+    std::vector<Member> members{{"scene", json_string(result.proof.section->scene)},
+                                {"ratio", range(c.lo, c.hi)},
+                                {"rho", range(c.rho)},
+                                {"upper", count(c.upper)},
+                                {"lower", json_count(c.lower)},
+                                {"pieces", number(c.pieces)},
+                                {"gaps", number(c.gaps)},
+                                {"open", number(c.open)},
+                                {"widest_gap", from < to ? fraction(c.whole().widest) : "null"},
+                                {"heavy_at_most", result.proof.heavy_once ? "1" : "null"}};
+    if (share) members.push_back({"decided", json_string(decimals(*share, false))});
+    return object(members);
 }
 
 }  // namespace
@@ -102,24 +101,13 @@ std::string json(const Result& result) {
                    {"claim", claim(result)},
                    {"sha256", string_unless(!right, result.proof.digest)},
                    {"schema", json_string("dumbbell-verify-1")},
-                   {"demand", demand(settings, own_demand(settings))},
+                   {"demand", demand(settings)},
                    {"leaves", object(leaves)},
                    {"coverage", object(coverage)},
                    {"work", work(right, result.proof)},
                    {"line", why.line > 0 ? number(why.line) : "null"},
                    {"code", string_unless(verified, why.code)},
                    {"reason", string_unless(verified, why.text)}});
-}
-
-std::string json(const Result& whole, const std::vector<Result>& files) {
-    const bool verified = whole.why.verdict == Verdict::verified;
-    return object({{"schema", json_string("dumbbell-verify-together-1")},
-                   {"verdict", json_string(verdict_name(whole.why.verdict))},
-                   {"claim", claim(whole)},
-                   {"demand", demand(whole.job->settings, whole.job->settings.demand)},
-                   {"code", string_unless(verified, whole.why.code)},
-                   {"reason", string_unless(verified, whole.why.text)},
-                   {"files", list(files)}});
 }
 
 }  // namespace dumbbell_verify

@@ -10,7 +10,4 @@ std::string json(const Result& result);  ///< one object
 /// A string from 2^53 on: most readers of JSON keep numbers in doubles. Precondition: n >= 0.
 std::string json_count(const mpz_class& n);
 
-/// Of files that were taken together: what is said of all, and the object of each.
-std::string json(const Result& whole, const std::vector<Result>& files);
-
 }  // namespace dumbbell_verify

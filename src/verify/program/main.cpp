@@ -4,24 +4,17 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <stdexcept>
 
 #include "verify/machine/environment.hpp"
-#include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/json.hpp"
-#include "verify/program/junit.hpp"
 #include "verify/program/options.hpp"
 #include "verify/program/progress.hpp"
-#include "verify/program/replace_file.hpp"
-#include "verify/program/sentence.hpp"
 #include "verify/program/summary.hpp"
-#include "verify/program/together.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -38,24 +31,19 @@ void require_printed() {
 
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
-TestCase test_case(const Result& r) {
-    const Request& settings = r.job->settings;
-    return {one_line(r.job->file) + demand_text(settings, own_demand(settings)), r.why.verdict,
-            result_text(r), verdict_line(r) + " file=" + one_line(r.job->file), r.seconds};
-}
-
 /// Every file by itself. The verdict of all is the worst.
-Verdict verify_each(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
+Verdict verify_each(const Options& options, Progress& progress) {
     const bool several = options.jobs.size() > 1;
     const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
         const auto lock = progress.hidden();
-        cases.push_back(test_case(r));
         if (options.json)
             std::printf("%s%s", r.job == options.jobs.data() ? "[" : ",\n", json(r).c_str());
-        else if (!options.quiet)
-            std::fputs((several ? cases.back().output + "\n" : block(r, options.leaves)).c_str(), stdout);
-        else if (!several)
+        else if (several && !options.quiet)
+            print_line(verdict_line(r) + " file=" + one_line(r.job->file));
+        else if (!several && options.quiet)
             print_line(verdict_line(r));
+        else if (!several)
+            std::fputs(block(r, options.leaves).c_str(), stdout);
         std::fflush(stdout);
     });
     if (options.json)
@@ -63,29 +51,6 @@ Verdict verify_each(const Options& options, Progress& progress, std::vector<Test
     else if (several)
         print_line(summary_line(results));
     return worst(results);
-}
-
-/// All files as one. The verdict on the whole is the only line with `s`.
-Verdict verify_together(const Options& options, Progress& progress, std::vector<TestCase>& cases) {
-    const auto results = examine_all(options.jobs, options.at_once, [&](const Result& r) {
-        const auto lock = progress.hidden();
-        cases.push_back(test_case(r));
-        if (r.is_right() && !options.json && !options.quiet)
-            print_line(leading_name(r.job->file) + "\n  " + result_text(r));
-    });
-    const std::string files = std::to_string(results.size());
-    const Job& asked = *results.front().job;
-    const Result all = together(asked, results);
-    const Verdict verdict = all.why.verdict;
-    const std::string demand = demand_text(asked.settings, asked.settings.demand);
-    const std::string text = all.is_right()
-                                 ? claim_text(all.proof) + " files=" + files + demand + left_out(all)
-                                 : result_text(all);
-    const std::string line = std::string("s ") + verdict_name(verdict) + " " + text;
-    if (all.is_right() && !options.json && !options.quiet) std::fputs(sentence(all).c_str(), stdout);
-    print_line(options.json ? json(all, results) : line);
-    cases.push_back({files + " files together" + demand, verdict, text, line, 0});
-    return verdict;
 }
 
 /// GMP and MPFR cannot be told that there is no memory, and would abort.
@@ -127,20 +92,12 @@ void take_stack() {
 }
 
 int verify_all(const Options& options) {
-    if (!options.junit.empty()) require_replaceable(options.junit, options.inputs);
-    const auto start = std::chrono::steady_clock::now();
-    const std::time_t started = std::time(nullptr);
-    std::vector<TestCase> cases;
     Verdict verdict = [&] {
-        const Settings& first = options.jobs.front().settings;
-        Progress progress(!options.quiet, first.budget);
-        return first.together ? verify_together(options, progress, cases)
-                              : verify_each(options, progress, cases);
+        Progress progress(!options.quiet, options.jobs.front().settings.budget);
+        return verify_each(options, progress);
     }();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     try {
         require_printed();
-        if (!options.junit.empty()) replace_file(options.junit, junit(cases, started, seconds.count()));
     } catch (const std::invalid_argument& error) {
         complain(error);
         verdict = std::max(verdict, Verdict::unreadable);
@@ -155,7 +112,7 @@ int main(int argc, char** argv) {
     using namespace dumbbell_verify;
     const DefaultEnvironment environment;
     take_stack();
-    std::signal(SIGXFSZ, SIG_IGN);  // a report that may not grow any more is like a full disk
+    std::signal(SIGXFSZ, SIG_IGN);  // output that may not grow any more is like a full disk
     mp_set_memory_functions(allocate, reallocate, release);
     try {
         const Options options = parse_options({argv + std::min(argc, 1), argv + argc});

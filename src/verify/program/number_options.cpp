@@ -9,7 +9,8 @@ namespace {
 struct Row {
     std::string_view name, kinds, between;
 };
-constexpr std::string_view box = "initial-conditions", starts = "initial-conditions or incoming",
+constexpr std::string_view box = "initial-conditions",
+                           shares = "collisions (of bodies), initial-conditions or incoming",
                            maximum = "collisions", counts = "collisions, initial-conditions or incoming",
                            invariant = "adiabatic-bounce, adiabatic-run or adiabatic-scattering";
 /// In the order in which they are named where they are missing.
@@ -25,7 +26,7 @@ constexpr Row table[] = {{"phi", box, ":"},
                          {"gap", maximum, ""},
                          {"gaps", maximum, ""},
                          {"heavy-at-most", maximum, ""},
-                         {"decided", starts, ""},
+                         {"decided", shares, ""},
                          {"delta", invariant, ":"},
                          {"heights", "adiabatic-bounce or adiabatic-run", ":"},
                          {"margin", invariant, ""},
@@ -54,7 +55,7 @@ bool is_demanded(const Row& row, const Request& request) {
 bool has_more(const Row& row, const Verified& proof, const Request& request) {
     const bool is_body = proof.claim.rho.has_value(),
                exact = request.demand.most && request.demand.most == request.demand.least;
-    if (row.name == "decided") return !exact;
+    if (row.name == "decided") return !exact && (proof.other || proof.decided);
     if (!proof.section) return true;
     const auto [from, to] = proof.claim.question();
     return row.name == "ratio"                          ? !is_body

@@ -7,14 +7,6 @@
 namespace dumbbell_verify {
 namespace {
 
-/// A name like that of no certificate, so that `--junit *.dbc` destroys none.
-void read_report(Arguments& given, Asked& to) {
-    const std::string path = given.value();
-    if (!path.ends_with(".xml") || path == ".xml")
-        throw std::invalid_argument("--junit needs a file name that ends in .xml, not `" + path + "`");
-    to.options.junit = path;
-}
-
 unsigned bits(Arguments& given) { return static_cast<unsigned>(given.number(53, 4096)); }
 
 constexpr Option table[] = {
@@ -35,7 +27,7 @@ constexpr Option table[] = {
     {"--coin", "", "the same as --rho 1 --inertia 4"},
     {"--rod-mass", "MU",
      "with --ratio RATIO: the dumbbell with this mass ratio whose rod has MU times the mass of its ends"},
-    {"--scene", "dumbbell|hybrid|wedge|body",
+    {"--scene", "dumbbell|body",
      "demand this scene; default: what the other options state, dumbbell or body, else the file's"},
     {"--claim", "KIND",
      "demand this kind of claim: collisions; initial-conditions (a file of dumbbell trace --subdivide: "
@@ -51,7 +43,8 @@ constexpr Option table[] = {
     {"--ydot", "A|LO:HI", "the same"},
     {"--decided", "SHARE",
      "with --claim initial-conditions or incoming: demand the exact number of collisions for at least this "
-     "share of the starts in question, from 0 to 1"},
+     "share of the starts in question, from 0 to 1; of a rectangle of bodies: for this share of those with Q "
+     "rho > 1, by area in (log rho, log Q)"},
     {"--delta", "A|LO:HI", "with --claim adiabatic-...: the delta in question, a part of the file's"},
     {"--heights", "A|LO:HI",
      "the heights in question, a part of the file's (adiabatic-bounce, adiabatic-run)"},
@@ -66,11 +59,6 @@ constexpr Option table[] = {
      "bound (of starts, or --decided), --delta and --constant, or --claim law alone. What follows another "
      "tab is a remark, as is a line that begins with #",
      [](Arguments& given, Asked& to) { to.claims = given.value(); }},
-    {"--together", "",
-     "the files prove one claim: their ranges of mass ratios, in any order on the command line, must follow "
-     "one another without a hole or an overlap, and what is demanded is about all files as one. "
-     "The last line is the verdict on all",
-     [](Arguments&, Asked& to) { to.settings.together = true; }, "--claims --explain --shares"},
     {"--jobs", "N", "threads (all cores)",
      [](Arguments& given, Asked& to) { to.settings.jobs = static_cast<unsigned>(given.number(1, 1024)); }},
     {"--budget", "TIME",
@@ -93,12 +81,9 @@ constexpr Option table[] = {
      [](Arguments&, Asked& to) { to.settings.shares = true; }, "--quiet --claims"},
     {"--leaves", "",
      "for one file: how many lines of each kind it has, and what share of the root boxes they cover",
-     [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --together --claims"},
-    {"--json", "",
-     "print JSON and nothing else: an array of one object for each file; with --together one object",
+     [](Arguments&, Asked& to) { to.options.leaves = true; }, "--json --quiet --claims"},
+    {"--json", "", "print JSON and nothing else: an array of one object for each file",
      [](Arguments&, Asked& to) { to.options.json = true; }},
-    {"--junit", "FILE.xml",
-     "write a JUnit report, too: one test case for each file, with --together one more", read_report},
     {"--quiet", "", "print the last line only (or JSON), and show no progress",
      [](Arguments&, Asked& to) { to.options.quiet = true; }},
     {"-h, --help", "", "print this help and end", [](Arguments&, Asked& to) { to.options.answer = help(); }},

@@ -65,8 +65,6 @@ Options parse_options(const std::vector<std::string>& arguments) {
     if (settings.explain.empty())
         result.at_once = static_cast<unsigned>(std::min<std::size_t>(settings.jobs, result.jobs.size()));
     for (Job& job : result.jobs) job.settings.jobs = settings.jobs / result.at_once;
-    for (const Job& job : result.jobs) result.inputs.push_back(job.file);
-    if (given.seen("--claims")) result.inputs.push_back(asked.claims);
     return result;
 }
 

@@ -13,11 +13,7 @@ struct Phrases {
 };
 Phrases phrases_of(std::string_view scene) {
     if (scene == "dumbbell") return {"trajectory hits the floor", "trajectory hits it"};
-    if (scene == "body")
-        return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
-    return {"trajectory in the " + std::string(scene == "hybrid" ? "hybrid" : "straight") +
-                " wedge hits its walls",
-            "trajectory hits them"};
+    return {"motion of the body in a plane, without a corner, hits the floor", "motion hits it"};
 }
 
 std::string times(const mpz_class& n) { return n.get_str() + (n == 1 ? " time" : " times"); }
@@ -72,7 +68,12 @@ std::string about_collisions(const Result& result) {
     std::string where = every(claim.rho ? "Q" : "mass ratio", from, to);
     if (const auto& rhos = claim.rhos ? claim.rhos : claim.rho)
         where += ", " + every("rho", rhos->first, rhos->second);
-    const std::string bounds = bounded(all, phrases_of(result.proof.section->scene));
+    const Phrases phrases = phrases_of(result.proof.section->scene);
+    const std::string bounds = bounded(all, phrases);
+    if (const auto& share = result.proof.decided; share && *share < 1 && (*share > 0 || bounds.empty()))
+        return "Proved: of at least " + decimals(*share, false) + " of the bodies with Q rho > 1, " + where +
+               ", by area in (log rho, log Q), the greatest number of times that a " + phrases.hits +
+               (bounds.empty() ? "" : "; and of all of them, " + bounds);
     return (bounds.empty() ? "No bound is proved that holds " + where
                            : "Proved: " + where + (claim.rho ? ", " : " ") + bounds) +
            known(claim) +

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "verify/core/section.hpp"
+#include "verify/machine/decimals.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/escape.hpp"
 #include "verify/program/number_options.hpp"
@@ -32,6 +33,7 @@ std::string claim_text(const Verified& proof) {
            " upper=" + (claim.upper ? claim.upper->get_str() : "none") + " lower=" + claim.lower.get_str() +
            " gaps=" + std::to_string(claim.gaps) + " open=" + std::to_string(claim.open) +
            (from < to ? " widest-gap=" + three_digits(claim.whole().widest) : "") +
+           (proof.decided ? " decided=" + decimals(*proof.decided, false) : "") +
            (proof.heavy_once ? " heavy-at-most=1" : "");
 }
 
@@ -44,8 +46,8 @@ std::string result_text(const Result& result) {
     const Failure& why = result.why;
     const Request& settings = result.job->settings;
     if (result.is_right())
-        return claim_text(result.proof) + " sha256=" + result.proof.digest +
-               demand_text(settings, own_demand(settings)) + (settings.together ? "" : left_out(result));
+        return claim_text(result.proof) + " sha256=" + result.proof.digest + demand_text(settings) +
+               left_out(result);
     std::string text;
     if (why.line > 0) text = "line=" + std::to_string(why.line) + " ";
     if (why.verdict == Verdict::rejected) text += "code=" + why.code + " ";

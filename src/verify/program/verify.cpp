@@ -3,6 +3,7 @@
 #include "verify/core/certificate.hpp"
 #include "verify/core/section.hpp"
 #include "verify/input/bytes.hpp"
+#include "verify/machine/decimals.hpp"
 
 namespace dumbbell_verify {
 namespace {
@@ -41,11 +42,14 @@ Verified read_on(Text& text, const Request& settings, const Header& header) {
         Verified found{collisions(text, settings, *header.section), {}};
         if (settings.heavy_once && !found.heavy_once)
             text.reject("claim-not-proved", "not proved: the heavy mass hits the floor at most once");
+        const mpq_class known = found.decided.value_or(0);
+        const auto share = settings.numbers.find("decided");
+        if (share != settings.numbers.end() && known < share->second.first)
+            text.reject("claim-not-proved", "not proved: the number of collisions for a share " +
+                                                to_string(share->second.first) + " of the bodies, only for " +
+                                                decimals(known, false));
         return found;
     }
-    if (settings.together)
-        throw Failure{Verdict::unreadable, text.line, "usage",
-                      "--together is about ranges of mass ratios, and this file is about something else"};
     if (!kind || header.section != (kind->is_of_section ? &turning() : nullptr)) text.unsupported(unknown);
     const Collisions& demand = settings.demand;
     const bool bounds = demand.ratios || demand.most || demand.least;

@@ -7,8 +7,7 @@
 namespace dumbbell_verify {
 
 /// Returns only if all that the file and the demand say is certified; else throws the Failure of the least
-/// line. With `together` the demand itself is left to the caller, and only files of the kind `collisions` may
-/// be asked for.
+/// line.
 Verified verify(Source& bytes, const Request& request);
 Verified verify(const std::string& path, const Request& request);
 

@@ -18,8 +18,7 @@ namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 namespace {
 
-/// In the order of Scene and of Section.
-constexpr std::array<std::string_view, 4> scenes{"dumbbell", "hybrid", "wedge", "body"};
+/// In the order of Section.
 constexpr std::array<std::string_view, 3> sections{"turning", "full", "plain"};
 
 collisions::CertifyRequest request_of(collisions::Claim claim, const CertifyOptions& options) {
@@ -37,21 +36,15 @@ collisions::CertifyRequest request_of(collisions::Claim claim, const CertifyOpti
 }
 
 collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptions& options) {
-    const auto section = collisions::section_named(scenes.at(static_cast<std::size_t>(options.scene)),
-                                                   sections.at(static_cast<std::size_t>(options.section)));
-    if (options.scene == Scene::body || !section) {
-        throw dumbbell::InputError(
-            "a mass ratio is of the dumbbell, or of a wedge in the section turning; a body has rho and "
-            "inertia");
-    }
-    return request_of({.range = {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())}, .system = {*section}},
-                      options);
+    const auto section =
+        collisions::section_named("dumbbell", sections.at(static_cast<std::size_t>(options.section)));
+    return request_of(
+        {.range = {exact_ratio(ratio.lo()), exact_ratio(ratio.hi())}, .system = {section.value()}}, options);
 }
 
 collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
-    if (options.section == Section::full ||
-        (options.scene != Scene::dumbbell && options.scene != Scene::body)) {
-        throw dumbbell::InputError("bodies are of the scene body, by their tangents or in the section plain");
+    if (options.section == Section::full) {
+        throw dumbbell::InputError("bodies are proved by their tangents, or in the section plain");
     }
     collisions::Claim claim = collisions::claim_of_body(body.rho, body.inertia);
     return request_of(options.section == Section::plain ? by_plain_covers(std::move(claim)) : claim, options);
@@ -70,9 +63,8 @@ Proof proof_of(const collisions::Certificate& certificate, SealedText text) {
     proof.certificate = std::move(text.text);
     proof.sha256 = std::move(text.sha256);
     proof.demand = whole_demand(claim_of(certificate), pieces_of(certificate));
-    const std::string_view scene = row_of(certificate.system.section).scene;
-    proof.scene = static_cast<Scene>(std::ranges::find(scenes, scene) - scenes.begin());
     if (const auto& rho = certificate.system.rho) {
+        proof.scene = Scene::body;
         proof.rho = to_fraction(*rho);
     }
     return proof;

@@ -3,7 +3,6 @@
 #include "api/translate.hpp"
 #include "base/error.hpp"
 #include "collisions/reader.hpp"
-#include "collisions/section.hpp"
 #include "pictures/orbit.hpp"
 #include "pictures/phase.hpp"
 #include "pictures/staircase.hpp"
@@ -16,12 +15,12 @@ std::string picture(const Proof& proof) {
     return guarded([&] {
         const collisions::Certificate certificate =
             collisions::read_certificate({"the certificate", proof.certificate});
-        const bool is_single = certificate.q_lo() == certificate.q_hi();
-        if (certificate.system.rho || (is_single && !row_of(certificate.system.section).has_orbits)) {
+        if (certificate.system.rho) {
             throw dumbbell::InputError("pictures are of orbits of the dumbbell, and of staircases");
         }
-        return is_single ? pictures::orbit_svg(certificate.pieces.front(), certificate.q_lo())
-                         : pictures::staircase_svg(certificate);
+        return certificate.q_lo() == certificate.q_hi()
+                   ? pictures::orbit_svg(certificate.pieces.front(), certificate.q_lo())
+                   : pictures::staircase_svg(certificate);
     });
 }
 

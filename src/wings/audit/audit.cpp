@@ -33,9 +33,6 @@ std::string leaf_text(const Boxes& boxes, Chart chart, std::size_t index) {
     std::string ranges;
     for (const Axis axis : collisions::all_axes) {
         const auto number = static_cast<std::size_t>(axis);
-        if (boxes.hi(boxes.root, number) == 0) {
-            continue;  // the chart wedge has no position
-        }
         ranges += fmt::format("{}{} {}..{}", ranges.empty() ? "" : ", ", axis_name(chart, axis),
                               shown(boxes.lo(boxes.leaves[index], number)),
                               shown(boxes.hi(boxes.leaves[index], number)));

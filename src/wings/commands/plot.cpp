@@ -24,9 +24,7 @@ Examples:
   dumbbell plot body coin.dbc rod.dbc --out bodies.svg)";
 
 constexpr const char* staircase_picture_description =
-    R"(The proved maximum N(q) of a scene, and the gaps in which it is one of two values.
-
-For the dumbbell the source paper's bound is drawn, too; for a wedge its formula.
+    R"(The proved maximum N(q) of the dumbbell, the gaps in which it is one of two values, and the source paper's bound.
 
 Example:
   dumbbell certify 1:100 --out stairs.dbc

@@ -183,7 +183,7 @@ std::string draw_bodies(const Given& given, Observer& observer) {
         if (!certificate.system.rho) {
             throw InputError(
                 fmt::format("'{}' is about the scene {}: plot body needs certificates by "
-                            "dumbbell certify --scene body ... --out FILE",
+                            "dumbbell certify --rho RHO --inertia Q --out FILE",
                             file, scene));
         }
         (void)verified(file, certificate.sha256, certificate.system, observer);

@@ -23,7 +23,7 @@ constexpr const char* report_description =
 
 It needs no network and no other file. It shows the staircase against the source paper's bound, the boxes of a cover
 with their reasons, the witness orbits bounce by bounce (and any initial condition typed into the page), and tables of
-the claims and their lemmas. Certificates of all kinds but the law's (dumbbell law --prove) can stand in one page.
+the claims and their lemmas. Certificates of dumbbell certify and dumbbell trace can stand in one page.
 
 The page shows what the files claim, each with the command that verifies it. If ./run web was run before, the page
 contains the files and the independent verifier, too, and verifies them in the browser. Files whose checksum is wrong
@@ -38,7 +38,9 @@ constexpr const char* report_footer =
     "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
 
 constexpr std::array report_options{
-    argument("FILE", "certificates of all kinds but the law's (-: the standard input)").required().repeated(),
+    argument("FILE", "certificates of dumbbell certify and dumbbell trace (-: the standard input)")
+        .required()
+        .repeated(),
     Option{"--out", "FILE", "the HTML file to write; -: the standard output"}
         .checked(fault_of_name<Content::page>)
         .required(),

@@ -214,26 +214,26 @@ Json file_json(const Certificate& certificate, const BoxBudget& budget) {
     }
     const auto& rho = certificate.system.rho;
     const std::string where =
-        rho ? fmt::format("{} with \u03c1 = d2/d1 = {} (in a plane, as long as it meets no corner)",
-                          row.where, exact_text(*rho))
-            : std::string(row.where);
-    return Json::object({{"claim", "collisions"},
-                         {"scene", row.scene},
-                         {"system", rho ? fmt::format("The body with \u03c1 = {}", exact_text(*rho))
-                                        : std::string(row.system)},
-                         {"where", where},
-                         {"symbol", symbol_of(certificate)},
-                         {"ratio", rho ? "Q = (d1/k)\u00b2" : "mass ratio q"},
-                         {"rho", rho ? Json(to_fraction(*rho)) : Json()},
-                         {"has_orbits", row.has_orbits},
-                         {"section", row.section},
-                         {"lo_text", exact_text(certificate.q_lo())},
-                         {"hi_text", exact_text(certificate.q_hi())},
-                         {"upper", upper},
-                         {"lower", lower},
-                         {"kinds", kinds.json()},
-                         {"totals", kinds.totals()},
-                         {"pieces", pieces}});
+        rho ? fmt::format(" of a body with \u03c1 = d2/d1 = {} (in a plane, as long as it meets no corner)",
+                          exact_text(*rho))
+            : "";
+    return Json::object(
+        {{"claim", "collisions"},
+         {"scene", row.scene},
+         {"system", rho ? fmt::format("The body with \u03c1 = {}", exact_text(*rho)) : "The dumbbell"},
+         {"where", where},
+         {"symbol", symbol_of(certificate)},
+         {"ratio", rho ? "Q = (d1/k)\u00b2" : "mass ratio q"},
+         {"rho", rho ? Json(to_fraction(*rho)) : Json()},
+         {"has_orbits", row.has_orbits},
+         {"section", row.section},
+         {"lo_text", exact_text(certificate.q_lo())},
+         {"hi_text", exact_text(certificate.q_hi())},
+         {"upper", upper},
+         {"lower", lower},
+         {"kinds", kinds.json()},
+         {"totals", kinds.totals()},
+         {"pieces", pieces}});
 }
 
 std::string claim_options(const Certificate& certificate) {

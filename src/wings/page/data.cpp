@@ -13,6 +13,7 @@
 #include "file/sealed_lines.hpp"
 #include "flight/growth_constant.hpp"
 #include "number/decimal.hpp"
+#include "page/any_certificate.hpp"
 #include "page/file.hpp"
 #include "pictures/body_map.hpp"
 #include "pictures/palette.hpp"
@@ -84,6 +85,17 @@ std::string body_map(const std::vector<ReportedFile>& files) {
     return bodies.empty() ? "" : pictures::body_map_svg(bodies);
 }
 
+Reported shown(AnyCertificate any, const std::string& path) {
+    if (auto* of_starts = std::get_if<starts::Certificate>(&any)) {
+        return std::move(*of_starts);
+    }
+    if (auto* of_collisions = std::get_if<collisions::Certificate>(&any)) {
+        return std::move(*of_collisions);
+    }
+    throw InputError(fmt::format(
+        "'{}' is about the adiabatic invariant: no page shows that; dumbbell verify checks it", path));
+}
+
 }  // namespace
 
 void require_few_pieces(const std::vector<std::string>& paths) {
@@ -99,11 +111,11 @@ ReportedFile read_reported(const std::string& path, bool with_bytes) {
     std::string bytes = file_contents(path);
     const NamedFile file(path, bytes);
     std::string sha256 = sealed_digest(file);
-    AnyCertificate content = read_any_certificate(file);
+    Reported content = shown(read_any_certificate(file), path);
     return {path, std::move(sha256), std::move(content), with_bytes ? std::move(bytes) : ""};
 }
 
-std::size_t leaves_of(const AnyCertificate& content) {
+std::size_t leaves_of(const Reported& content) {
     return std::visit(
         [](const auto& of) {
             if constexpr (requires { of.pieces; }) {

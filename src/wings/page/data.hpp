@@ -3,24 +3,29 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "page/any_certificate.hpp"
+#include "collisions/certificate.hpp"
+#include "starts/cover/certificate.hpp"
 #include "words/json.hpp"
 
 /// What the page of `dumbbell report` shows, as one JSON object: certificates, and nothing that they do not
 /// claim (web/README.md describes it); and the page with it.
 namespace dumbbell::page {
 
+/// What the page shows.
+using Reported = std::variant<collisions::Certificate, starts::Certificate>;
+
 struct ReportedFile {
     std::string path;    ///< as the user wrote it, for the command that verifies it
     std::string sha256;  ///< sealed_digest
-    AnyCertificate content;
+    Reported content;
     std::string bytes{};  ///< the file as it is, if the page is to verify it
 };
 
-/// Reads a certificate of any claim kind once, whose checksum must be right; its bytes if they are wanted.
-/// Throws InputError (naming the file) for anything else.
+/// Reads a certificate of one of these kinds once, whose checksum must be right; its bytes if they are
+/// wanted. Throws InputError (naming the file) for anything else.
 [[nodiscard]] ReportedFile read_reported(const std::string& path, bool with_bytes);
 
 /// Pieces of all files together; a page with more would not open.
@@ -33,7 +38,7 @@ void require_few_pieces(const std::vector<std::string>& paths);
 /// Throws InputError if the files have more than `most_pieces`.
 [[nodiscard]] Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes);
 
-[[nodiscard]] std::size_t leaves_of(const AnyCertificate& content);
+[[nodiscard]] std::size_t leaves_of(const Reported& content);
 
 /// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "adiabatic/certificate.hpp"
 #include "collisions/certificate.hpp"
 #include "page/tree.hpp"
 #include "starts/cover/certificate.hpp"
@@ -14,11 +13,9 @@ namespace dumbbell::page {
 
 [[nodiscard]] Json file_json(const collisions::Certificate& certificate, const BoxBudget& budget);
 [[nodiscard]] Json file_json(const starts::Certificate& certificate, const BoxBudget& budget);
-[[nodiscard]] Json file_json(const adiabatic::Certificate& certificate, const BoxBudget& budget);
 
 /// Words for the command line, e.g. `--ratio 1:100 --max 10 --min 2`.
 [[nodiscard]] std::string claim_options(const collisions::Certificate& certificate);
 [[nodiscard]] std::string claim_options(const starts::Certificate& certificate);
-[[nodiscard]] std::string claim_options(const adiabatic::Certificate& certificate);
 
 }  // namespace dumbbell::page

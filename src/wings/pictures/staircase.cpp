@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "collisions/section.hpp"
 #include "flight/growth_constant.hpp"
 #include "flight/paper_bound.hpp"
 #include "pictures/frame.hpp"
@@ -25,15 +24,15 @@ namespace {
 
 constexpr double staircase_left = 64;
 constexpr double staircase_height = 380;
+constexpr const char* title = "Greatest number of collisions of a bouncing dumbbell against its mass ratio";
 
-/// ceil(pi / gamma) + above, which steps from m to m + 1 after q = cot^2(pi / 2m): with 1 the paper's bound
-/// for the dumbbell, with 0 the maximum of the wedges (lemma L17).
-std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces, long above) {
+/// The paper's bound ceil(pi / gamma) + 1, which steps from m + 1 to m + 2 after q = cot^2(pi / 2m).
+std::string paper_path(const Frame& frame, const std::vector<Piece>& pieces) {
     const Rational& q_lo = pieces.front().q_lo;
     const Rational& q_hi = pieces.back().q_hi;
     long m = flight::paper_bound(q_lo) - 1;
     const long last = flight::paper_bound(q_hi) - 1;
-    const auto y = [&](long of) { return frame.y(static_cast<double>(of + above)); };
+    const auto y = [&](long of) { return frame.y(static_cast<double>(of + 1)); };
     std::string path = fmt::format("M{:.2f} {:.2f}", frame.x(value(q_lo)), y(m));
     for (; m < last; ++m) {
         const double t = std::tan(std::numbers::pi / (2 * static_cast<double>(m)));
@@ -87,7 +86,7 @@ struct Counts {
 /// Counts from 0 on are evenly spaced up to here.
 constexpr long many = 20;
 
-Counts counts_of(const std::vector<Piece>& pieces, bool may_have_paper) {
+Counts counts_of(const std::vector<Piece>& pieces) {
     long least = as_long(pieces.front().lower);
     long most = 2;
     for (const Piece& piece : pieces) {
@@ -96,8 +95,7 @@ Counts counts_of(const std::vector<Piece>& pieces, bool may_have_paper) {
     }
     const long highest = flight::paper_bound(pieces.back().q_hi);
     constexpr long share = 4;  // of the axis, at least, that is left to the steps
-    const bool has_paper =
-        may_have_paper && (highest <= many || highest - least <= share * (most - least) + 8);
+    const bool has_paper = highest <= many || highest - least <= share * (most - least) + 8;
     return {least, has_paper ? highest : most, has_paper};
 }
 
@@ -147,8 +145,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
             "from the step");
     }
     const auto has = [&](Status status) { return !with_status(pieces, status).empty(); };
-    const collisions::SectionRow& row = row_of(certificate.system.section);
-    const Counts counts = counts_of(pieces, row.has_paper_bound);
+    const Counts counts = counts_of(pieces);
     std::vector<LegendEntry> entries{{Swatch::curve, "proved", "proved maximum N(q)"}};
     if (has(Status::gap)) {
         entries.push_back({Swatch::area, "gap", "gap: one of two values"});
@@ -160,12 +157,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
         entries.push_back(
             {Swatch::curve, "paper", "the paper's bound \xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 + 1"});
     }
-    if (row.has_paper_bound) {
-        entries.push_back({Swatch::curve, "growth", "2 + C \xe2\x88\x9aq"});
-    } else {
-        entries.push_back(
-            {Swatch::curve, "paper", "\xe2\x8c\x88\xcf\x80/\xce\xb3\xe2\x8c\x89 (lemmas L17, L18)"});
-    }
+    entries.push_back({Swatch::curve, "growth", "2 + C \xe2\x88\x9aq"});
     const double width = page_width - staircase_left - right_margin;
     const Legend legend(std::move(entries), width);
     const double legend_top = top_margin + 24;
@@ -174,7 +166,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
                        decade_ticks(q_lo, q_hi, {width}), Scale::logarithmic},
                       count_axis(counts));
 
-    Svg svg(page_width, frame.bottom() + 52, std::string(row.title));
+    Svg svg(page_width, frame.bottom() + 52, title);
     svg.rules(
         ".proved{fill:none;stroke-width:2.5}.gap{stroke-width:1.5}.paper{fill:none;stroke-width:1.5;stroke-"
         "dasharray:6 4}.growth{fill:none;stroke-width:1.2;stroke-dasharray:2 3}");
@@ -184,7 +176,7 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
     svg.colour("paper", "stroke", palette::paper);
     svg.colour("paper-word", "fill", palette::paper);
     svg.colour("growth", "stroke", palette::growth);
-    svg.text(staircase_left, top_margin + 9, std::string(row.title), Anchor::start, "head");
+    svg.text(staircase_left, top_margin + 9, title, Anchor::start, "head");
     draw_open(svg, frame, pieces);
     frame.draw_grid(svg);
     frame.open_clip(svg);
@@ -192,13 +184,12 @@ std::string staircase_svg(const collisions::Certificate& certificate) {
         svg.path("gap", gap_path(frame, pieces));
     }
     if (counts.has_paper) {
-        svg.path("paper", paper_path(frame, pieces, 1));
+        svg.path("paper", paper_path(frame, pieces));
     }
     svg.path("proved", proved_path(frame, pieces));
-    svg.path(row.has_paper_bound ? "growth" : "paper",  // over it: they lie close together
-             row.has_paper_bound ? growth_path(frame, q_lo, q_hi) : paper_path(frame, pieces, 0));
+    svg.path("growth", growth_path(frame, q_lo, q_hi));  // over it: they lie close together
     svg.close();
-    if (row.has_paper_bound && !counts.has_paper) {  // it lies too far above the maximum to be drawn
+    if (!counts.has_paper) {  // it lies too far above the maximum to be drawn
         const long lo = flight::paper_bound(pieces.front().q_lo),
                    hi = flight::paper_bound(pieces.back().q_hi);
         svg.text(frame.left() + 10, frame.top() + 20,

@@ -14,7 +14,6 @@ Quantity = Union[Number, Tuple[Number, Number]]
 Path = Union[str, PathLike[str], PathLike[bytes]]
 _Bytes = bytes
 Content = Union[bytes, Path]
-Scene = Literal["dumbbell", "hybrid", "wedge"]
 Section = Literal["turning", "full", "plain"]
 Enclosure = Tuple[float, float]
 
@@ -32,7 +31,7 @@ class Verification:
 class Certificate:
     def __init__(self, file: Content, *, jobs: int = 1) -> None: ...
     ratio: Final[Tuple[Fraction, Fraction]]
-    scene: Final[Literal["dumbbell", "hybrid", "wedge", "body"]]
+    scene: Final[Literal["dumbbell", "body"]]
     rho: Final[Optional[Fraction]]
     lower: Final[int]
     upper: Final[Optional[int]]
@@ -76,10 +75,10 @@ class Trace:
     collisions: Final[list[Collision]]
 
 def certify(q: Optional[Ratio] = None, *, section: Section = "turning", gap: Number = "1e-6", jobs: int = 1,
-            budget: Optional[float] = None, scene: Scene = "dumbbell", rho: Optional[Number] = None,
+            budget: Optional[float] = None, rho: Optional[Number] = None,
             inertia: Optional[Ratio] = None, coin: bool = False, rod_mass: Optional[Number] = None) -> Certificate: ...
 def certify_many(ratios: Iterable[Ratio], *, section: Section = "turning", gap: Number = "1e-6", jobs: int = 1,
-                 budget: Optional[float] = None, scene: Scene = "dumbbell") -> list[Certificate]: ...
+                 budget: Optional[float] = None) -> list[Certificate]: ...
 def verify(certificate: Content, *, jobs: int = 1, budget: Optional[float] = 30,
            **claims: Union[Quantity, None]) -> Verification: ...
 def critical(n: SupportsIndex, digits: int = 15, *, budget: Optional[float] = None) -> Tuple[Decimal, Decimal]: ...

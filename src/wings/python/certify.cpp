@@ -36,10 +36,10 @@ False
 (<Certificate: --coin --exactly 4>, 5)
 
 `q` is exact: an int, a Fraction, a Decimal, a float (its exact value), text such as '9/2', '4.6' or '1:100', or a pair
-(lo, hi). Below 1 the masses are swapped. `scene`: 'dumbbell', or a model wedge, 'hybrid' or 'wedge'. `section`:
-'turning', 'full' or 'plain'. `gap`: the relative width of the gaps at the steps of a range. `budget`: seconds; what is
-not decided by then is open. A rigid body, in a plane: `rho` and `inertia`, a number or a pair; or `coin`; or `q`
-with `rod_mass`, the dumbbell whose rod has so many times the mass of its ends.
+(lo, hi). Below 1 the masses are swapped. `section`: 'turning', 'full' or 'plain'. `gap`: the relative width of the
+gaps at the steps of a range. `budget`: seconds; what is not decided by then is open. A rigid body, in a plane: `rho`
+and `inertia`, a number or a pair; or `coin`; or `q` with `rod_mass`, the dumbbell whose rod has so many times the mass
+of its ends.
 )";
 
 constexpr const char* certify_many_text =
@@ -86,23 +86,22 @@ std::optional<api::Body> body_of(const std::optional<Number>& q, const std::opti
                       : std::nullopt;
 }
 
-api::CertifyOptions options_of(api::Section section, const Number& gap, const Whole& jobs, api::Scene scene) {
-    return {.gap = gap.value, .jobs = jobs, .section = section, .scene = scene};
+api::CertifyOptions options_of(api::Section section, const Number& gap, const Whole& jobs) {
+    return {.gap = gap.value, .jobs = jobs, .section = section};
 }
 
 Proof certify(const std::optional<Number>& q, api::Section section, const Number& gap, const Whole& jobs,
-              const Budget& budget, api::Scene scene, const std::optional<Number>& rho,
-              const std::optional<Number>& inertia, const Truth& coin,
-              const std::optional<Number>& rod_mass) {
+              const Budget& budget, const std::optional<Number>& rho, const std::optional<Number>& inertia,
+              const Truth& coin, const std::optional<Number>& rod_mass) {
     const auto body = body_of(q, rho, inertia, coin.value, rod_mass);
     const auto ratio = body ? std::nullopt : std::optional<MassRatio>(q->value);
-    return running(options_of(section, gap, jobs, scene), budget, [&](const auto& options) {
+    return running(options_of(section, gap, jobs), budget, [&](const auto& options) {
         return body ? api::certify(*body, options) : api::certify(*ratio, options);
     });
 }
 
 std::vector<Proof> certify_many(const Numbers& ratios, api::Section section, const Number& gap,
-                                const Whole& jobs, const Budget& budget, api::Scene scene) {
+                                const Whole& jobs, const Budget& budget) {
     std::vector<MassRatio> all;
     for (const std::string& q : ratios.value) {
         all.emplace_back(q);
@@ -110,7 +109,7 @@ std::vector<Proof> certify_many(const Numbers& ratios, api::Section section, con
             throw py::error_already_set();
         }
     }
-    return running(options_of(section, gap, jobs, scene), budget,
+    return running(options_of(section, gap, jobs), budget,
                    [&](const auto& options) { return api::certify_many(all, options); });
 }
 
@@ -118,8 +117,7 @@ template <class Function, class... More>
 void add(py::module_& module, const char* name, Function function, const char* text, const auto& given,
          const More&... more) {
     module.def(name, function, text, given, py::kw_only(), py::arg("section") = api::Section::turning,
-               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none(),
-               py::arg("scene") = api::Scene::dumbbell, more...);
+               py::arg("gap") = "1e-6", py::arg("jobs") = 1, py::arg("budget") = py::none(), more...);
 }
 
 }  // namespace
@@ -132,7 +130,7 @@ void add_certify(py::module_& module) {
         .def_property_readonly(
             "ratio", [](const Proof& p) { return ratio_of(p.pieces.front().lo, p.pieces.back().hi); },
             "the pair (lo, hi) of Fractions; of bodies that of their Q")
-        .def_readonly("scene", &Proof::scene, "'dumbbell', 'hybrid', 'wedge' or 'body'")
+        .def_readonly("scene", &Proof::scene, "'dumbbell' or 'body'")
         .def_property_readonly(
             "rho", [](const Proof& p) { return p.rho.empty() ? py::object(py::none()) : fraction(p.rho); },
             "of bodies a Fraction; else None")

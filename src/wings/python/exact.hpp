@@ -63,7 +63,7 @@ inline constexpr std::array words<api::Verdict>{"verified",   "rejected", "unsup
                                                 "unreadable", "limit",    "open"};
 static_assert(words<api::Verdict>.size() == std::size_t(api::Verdict::open) + 1);
 template <>
-inline constexpr std::array words<api::Scene>{"dumbbell", "hybrid", "wedge", "body"};
+inline constexpr std::array words<api::Scene>{"dumbbell", "body"};
 static_assert(words<api::Scene>.size() == std::size_t(api::Scene::body) + 1);
 template <>
 inline constexpr std::array words<api::Section>{"turning", "full", "plain"};

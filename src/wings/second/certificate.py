@@ -7,8 +7,8 @@ from failure import Rejected, Unreadable, Unsupported
 
 WORDS = {
     "lemmas": {"1", "minimal", "body"},
-    "scene": {"dumbbell", "wedge", "hybrid", "body"},
-    "section": {"turning", "full", "tangents", "none"},
+    "scene": {"dumbbell", "body"},
+    "section": {"turning", "full", "tangents", "cells", "none"},
 }
 
 
@@ -41,9 +41,7 @@ def check(lines, demand, judge):
         raise Unsupported(f"no section {header[2]} of the scene {header[1]} with lemmas {header[0]}")
     claim, = lines.line("claim", "word")
     if claim == "collisions" and header in collisions.SECTIONS:
-        proof = collisions.check(lines, header, judge)
-    elif demand.is_part:
-        raise Unreadable("--together is about ranges of mass ratios, and this file is about something else")
+        proof = collisions.check(lines, header, judge, demand)
     elif claim in ("initial-conditions", "incoming") and header == initial.HEADER:
         if demand.bounds() and not demand["claim"]:
             raise Unreadable("what is demanded is about the collisions of all trajectories; this file is about something else: "
@@ -51,7 +49,7 @@ def check(lines, demand, judge):
         proof = (incoming if claim == "incoming" else initial).check(lines, judge, demand)
     else:
         raise Unsupported(f"the claim {claim} is not one that this verifier judges")
-    missing = demand.other(header[1], claim) or (None if demand.is_part else proof.missing(demand))
+    missing = demand.other(header[1], claim) or proof.missing(demand)
     if missing:
         raise lines.wrong("claim-not-proved", missing)
     return proof

@@ -4,13 +4,13 @@ all are collected first."""
 from demand import Demand
 from values import Usage, count, mass_ratios, number, one_of, one_or_two, ratio, span
 
-SCENES = "dumbbell", "hybrid", "wedge", "body"
+SCENES = "dumbbell", "body"
 OF_BODIES = "rho", "inertia", "coin", "rod-mass"
 
 # The options of each kind of claim, besides --scene and --claim.
 STARTS = ("ratio", "max", "min", "exactly", "decided")
 KINDS = {
-    "collisions": ("ratio", *OF_BODIES, "max", "min", "exactly", "gap", "gaps", "heavy-at-most"),
+    "collisions": ("ratio", *OF_BODIES, "max", "min", "exactly", "gap", "gaps", "heavy-at-most", "decided"),
     "initial-conditions": ("phi", "phidot", "y", "ydot", *STARTS),
     "incoming": STARTS,
     "adiabatic-bounce": ("delta", "heights", "margin", "exponent", "constant", "attained"),

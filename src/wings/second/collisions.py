@@ -1,13 +1,13 @@
 """The claim `collisions`: the file, its pieces and trees; format.md 2, 3 and format-sections.md."""
 
 import body
+import cells
 import full
 import gaps
 import plain
 import tangents
 import turning
-import wedge
-from demand import interval_text, part_text, ratio_text
+from demand import decimals, interval_text, part_text, ratio_text
 from judge import ends
 from tree import walk
 
@@ -16,43 +16,40 @@ SECTIONS = {
     ("1", "dumbbell", "turning"): turning,
     ("1", "dumbbell", "full"): full,
     ("minimal", "dumbbell", "full"): plain,
-    ("1", "wedge", "turning"): wedge,
-    ("1", "hybrid", "turning"): wedge,
     ("body", "body", "full"): body.Bodies,
     ("body", "body", "tangents"): tangents.Tangents,
+    ("body", "body", "cells"): cells,
 }
 
 
 class Staircase:
     """What is proved: of each piece [a, b], in ascending order, U (None: no bound) and V; for all rho in a pair, or None. `source`
-    is what the verdict says of where it comes from."""
+    is what the verdict says of where it comes from. Of rectangles of bodies `pieces` is about what is asked, `told` about all, and
+    of the share `decided` of what is asked the number is proved."""
 
-    def __init__(self, scene, rho, heavy_once, pieces, source):
+    def __init__(self, scene, rho, heavy_once, pieces, source, told=None, decided=None):
         self.scene, self.rho, self.pieces, self.source = scene, rho, pieces, source
-        self.parts = pieces  # of several files, with no ratios in question: those of a file about a single ratio as one
+        self.told, self.decided = told or pieces, decided
         self.low, self.high = pieces[0][0], pieces[-1][1]
         self.leap = 2 if rho else 1  # the bounds of a gap differ by at most that
-        self.open = sum(u is None or u > v + self.leap for _, _, u, v in pieces)
+        self.open = sum(u is None or u > v + self.leap for _, _, u, v in self.told)
         self.heavy_once = heavy_once and all(u is not None for _, _, u, _ in pieces)
 
-    def whole(self):
-        """The pieces, those about a single ratio as one."""
-        low, high = self.low, self.high
-        return [(low, high, *gaps.asked(self.pieces, low, high)[0])] if low == high else self.pieces
-
     def text(self, demand):
-        uppers, lowers = [piece[2] for piece in self.pieces], [piece[3] for piece in self.pieces]
+        uppers, lowers = zip(*(piece[2:] for piece in self.told))
         rho = f" rho={interval_text(*self.rho)}" if self.rho else ""
         number = sum(u is not None and v < u <= v + self.leap for u, v in zip(uppers, lowers))
         return (f"scene={self.scene} ratio={interval_text(self.low, self.high)}{rho}"
                 f" upper={'none' if None in uppers else max(uppers)} lower={min(lowers)} gaps={number} open={self.open}"
                 f"{gaps.widest_text(self.pieces, *demand.ratios(self.low, self.high))}"
+                f"{'' if self.decided is None else f' decided={decimals(self.decided, 6)}'}"
                 f"{' heavy-at-most=1' if self.heavy_once else ''}")
 
     def not_demanded(self, demand):
         low, high = demand.ratios(self.low, self.high)
         return demand.not_demanded([*(("inertia", "rho") if self.rho else ("ratio",)), "max", "min",
-                                    *(("gap", "gaps") if low < high else ()), *(("heavy-at-most",) if self.heavy_once else ())])
+                                    *(("gap", "gaps") if low < high else ()), *(("heavy-at-most",) if self.heavy_once else ()),
+                                    *(() if self.decided is None else ("decided",))])
 
     def missing(self, demand):
         """What is demanded and not proved; None: nothing."""
@@ -68,19 +65,22 @@ class Staircase:
         if least is not None and not covered([(a, b) for a, b, _, v in self.pieces if v >= least], low, high):
             return f"not proved: at least {least} collisions{where}"
         width, number = demand["gap"], demand["gaps"]
-        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.parts, low, high, width, number, self.leap):
+        if (width, number) != (None, None) and not gaps.is_known_but_in_gaps(self.pieces, low, high, width, number, self.leap):
             return (f"not proved: the greatest number itself{where}, but in gaps"
                     f"{'' if width is None else f' of relative width {ratio_text(width)}'}"
                     f"{'' if number is None else f', at most {number}'}")
         if demand["heavy-at-most"] and not self.heavy_once:
             return "not proved: the heavy mass hits the floor at most once"
+        if (self.decided or 0) < (demand["decided"] or 0):
+            return (f"not proved: the number of collisions for a share {ratio_text(demand['decided'])} of the bodies, only for "
+                    f"{decimals(self.decided or 0, 6)}")
         return None
 
     def says_nothing(self, demand):
         """No bound is demanded, and none is proved for all mass ratios in question."""
-        if demand["max"] is not None or demand["min"] is not None:
+        if demand["max"] is not None or demand["min"] is not None or self.decided:
             return False
-        asked = gaps.asked(self.parts, *demand.ratios(self.low, self.high))
+        asked = gaps.asked(self.pieces, *demand.ratios(self.low, self.high))
         return any(u is None for u, _ in asked) and any(v == 0 for _, v in asked)
 
 
@@ -95,9 +95,12 @@ def covered(intervals, low, high):
     return False
 
 
-def check(lines, header, judge):
-    """Checks all after the line `claim`. `header` is a key of SECTIONS."""
+def check(lines, header, judge, demand):
+    """Checks all after the line `claim`. `header` is a key of SECTIONS. The demand says of which part of a rectangle bounds are wanted."""
     section, rho = SECTIONS[header], None
+    if section is cells:
+        rho, part, whole, decided, source = cells.check(lines, judge, demand)
+        return Staircase("body", rho, False, [part], source, [whole], decided)
     every_body = section is tangents.Tangents
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not (1 <= lo or every_body) or lo > hi:

@@ -7,22 +7,14 @@ SHOWN = ("ratio", "inertia", "rho", "max", "min", "gap", "gaps", "heavy-at-most"
 
 class Demand(dict):
     """What each option demands, by its name (of --exactly N, max and min; of bodies, rho and Q as `inertia`). What is not demanded
-    is None. `is_part`: the demand is on several files as one, and this one need not prove it."""
-
-    is_part = False
+    is None."""
 
     def __missing__(self, name):
         return None
 
-    def part(self):
-        """The same, of each file of several."""
-        part = Demand(self)
-        part.is_part = True
-        return part
-
     def ratios(self, low, high):
         """The mass ratios in question, or for bodies Q, of a file about [low, high]."""
-        return (None if self.is_part else self["ratio"] or self["inertia"]) or (low, high)
+        return self["ratio"] or self["inertia"] or (low, high)
 
     def bounds(self):
         """Is something demanded of all trajectories?"""
@@ -34,7 +26,7 @@ class Demand(dict):
     def text(self):
         """As the verdict repeats it."""
         parts = []
-        for name in ("scene", "claim") if self.is_part else SHOWN:
+        for name in SHOWN:
             value, label = self[name], name if name in ("max", "min") else f"demanded-{name}"
             if name == "max" and self.is_exact():
                 label = "exactly"
@@ -45,7 +37,7 @@ class Demand(dict):
     def not_demanded(self, names):
         """The end of the verdict: what was not demanded of these."""
         left = [name for name in names if name not in self and not (self.is_exact() and name in ("gap", "gaps", "decided"))]
-        return f" not-demanded={','.join(left)}" if self and left and not self.is_part else ""
+        return f" not-demanded={','.join(left)}" if self and left else ""
 
     def other(self, scene, claim):
         """Why a file of this scene and claim is not what was demanded; None if it is. Who states a claim means the dumbbell."""
@@ -59,6 +51,12 @@ class Demand(dict):
 
 def ratio_text(ratio):
     return f"{ratio.numerator}/{ratio.denominator}"
+
+
+def decimals(share, places):
+    """Cut off, not rounded."""
+    digits = f"{share.numerator * 10**places // share.denominator:0{places + 1}d}"
+    return f"{digits[:-places]}.{digits[-places:]}"
 
 
 def spelled(value):

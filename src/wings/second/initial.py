@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from contact import Air, has_no_collision, is_first_contact
-from demand import interval_text, ratio_text
+from demand import decimals, interval_text, ratio_text
 from failure import Rejected
 from fixed import hull, interval, sin_cos
 from flight import counts_within, first_reflection, greatest_number
@@ -83,9 +83,8 @@ class Starts:
     def text(self, _demand):
         sides = "".join(f" {name}={interval_text(*side)}" for name, side in self.box.items())
         (least, most), decided = self.found.bounds(), self.found.decided
-        digits = f"{decided.numerator * 10**12 // decided.denominator:013d}"  # cut off, not rounded
         return (f"claim={self.claim}{sides} collisions={least}:{bound_text(most)} "
-                f"decided={'1' if decided == 1 else digits[:-12] + '.' + digits[-12:]}")
+                f"decided={'1' if decided == 1 else decimals(decided, 12)}")
 
     def not_demanded(self, demand):
         return demand.not_demanded([*self.box, "max", "min", "decided"])

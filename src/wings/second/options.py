@@ -31,15 +31,14 @@ numbers. It shares no code with dumbbell-verify, the first verifier, and needs n
   --phi, --phidot, --y, --ydot A|LO:HI
                         with --claim initial-conditions: the starts in question; default: the box of the file
   --decided SHARE       with --claim initial-conditions or incoming: demand the proof of the number of collisions on
-                        this share of what is in question, from 0 to 1
-  --scene dumbbell|hybrid|wedge|body
+                         this share of what is in question, from 0 to 1; of a rectangle of bodies: of those with
+                         Q rho > 1, by area in (log rho, log Q)
+  --scene dumbbell|body
                         demand this scene; default: what the other options state, dumbbell or body, else the file's
   --claim KIND          demand this kind of claim: collisions, initial-conditions or incoming; of kinds that it does not
                         judge it reads the options: --delta, --heights, --margin, --exponent, --constant, --attained
   --claims LIST         a list of certificates, each with its claim, such as certificates/claims.tsv. A line has a file
                         (its name is relative to the list's folder), a tab, and options above that state a whole claim
-  --together            the files prove one claim: their ranges of mass ratios must follow one another without a hole or
-                        an overlap, and what is demanded is about all files as one. Prints one verdict
   --budget TIME         give up on a file that costs more work than a core does in about this time: 30s, 10m, 2h
                         (10m). Counted in steps, not by a clock
   --quiet               print the last line only, and show no progress
@@ -66,8 +65,8 @@ much slower than dumbbell-verify: minutes for a range up to 10^6.
 
 def parse(words):
     """Options are `--name VALUE` or `--name=VALUE`; after `--` there are none. Of what is returned `jobs` are the files, each with
-    its demand; if `together`, that is on all as one. `answer`: print this text alone."""
-    asked = SimpleNamespace(jobs=[], together=False, quiet=False, answer=None, budget=None)
+    its demand. `answer`: print this text alone."""
+    asked = SimpleNamespace(jobs=[], quiet=False, answer=None, budget=None)
     words, files, claim, others, ended = list(words), [], {}, {}, False
     while words:
         word = words.pop(0)
@@ -77,8 +76,6 @@ def parse(words):
             files.append(word)
         elif word == "--quiet":
             asked.quiet = True
-        elif word == "--together":
-            asked.together = True
         elif word in ("-h", "--help"):
             asked.answer = HELP
         elif word in ("-V", "--version"):
@@ -87,11 +84,11 @@ def parse(words):
             raise Usage(f"unknown option {word}; see --help")
     if asked.answer is None:
         asked.budget = time("--budget", others["budget"]) if "budget" in others else DEFAULT_BUDGET
-        asked.jobs = jobs(asked, files, claim, others.get("claims"))
+        asked.jobs = jobs(files, claim, others.get("claims"))
     return asked
 
 
-def jobs(asked, files, claim, claims):
+def jobs(files, claim, claims):
     """Each file with its demand."""
     if claims is None:
         if not files:
@@ -100,8 +97,6 @@ def jobs(asked, files, claim, claims):
         return [(path, demand) for path in files]
     if claim:
         raise Usage(f"--claims and --{next(iter(claim))} exclude each other; see --help")
-    if asked.together:
-        raise Usage("--together and --claims exclude each other; see --help")
     if files:
         raise Usage("--claims names the files: give no other FILE")
     return read_claims(claims)

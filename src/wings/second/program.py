@@ -13,7 +13,6 @@ from grammar import Lines
 from judge import judge
 from options import DEFAULT_BUDGET, NAME, parse
 from source import read, unpacked
-from together import together
 from values import Usage
 
 GREATEST_DIGITS = 50_000  # of a number that is printed: Q of a rod with --rod-mass; the format has no more than 2100
@@ -61,7 +60,7 @@ def result(prove, demand, line):
     """The verdict on what prove() returns; line() is the line that was read last."""
     try:
         proof = prove()
-        word = "OPEN" if proof.says_nothing(demand) and not demand.is_part else "VERIFIED"
+        word = "OPEN" if proof.says_nothing(demand) else "VERIFIED"
         return Result(word, f"{proof.text(demand)} {proof.source}{demand.text()}{proof.not_demanded(demand)}", proof, None)
     except Failure as failure:
         why = failure
@@ -107,18 +106,6 @@ def verify_each(asked, progress):
     return worst
 
 
-def verify_together(asked, progress):
-    """All files as one, with one verdict."""
-    files, demand = [], asked.jobs[0][1]
-    for path, _ in asked.jobs:
-        files.append((path, examine(path, demand.part(), progress, asked.budget)))
-        progress.hide()
-    work.allow(asked.budget)
-    whole = result(lambda: together(files, demand), demand, lambda: 0)
-    print(f"s {whole.word} {whole.text}", flush=True)
-    return VERDICTS[whole.word]
-
-
 def main(words):
     if hasattr(sys, "set_int_max_str_digits"):
         sys.set_int_max_str_digits(GREATEST_DIGITS)
@@ -130,7 +117,7 @@ def main(words):
         if sys.stdout is None:
             raise OSError
         if asked.answer is None:
-            return (verify_together if asked.together else verify_each)(asked, Progress(not asked.quiet))
+            return verify_each(asked, Progress(not asked.quiet))
         print(asked.answer, end="", flush=True)
         return 0
     except Usage as error:

@@ -61,7 +61,7 @@ void check_claim(const Verified& proof, const std::string& text, const Request& 
     const auto& pieces = read.pieces;
     must(mpq_class(read.q_lo().raw()) == claim.lo && mpq_class(read.q_hi().raw()) == claim.hi,
          "the pieces are the claim");
-    for (const auto& piece : pieces) must_be_true(settings.scene, piece, read.system.rho);
+    for (const auto& piece : pieces) must_be_true(piece, read.system.rho);
 
     Collisions demand;
     demand.ratios.emplace(claim.lo, claim.hi);

@@ -36,27 +36,23 @@ namespace dumbbell_fuzz {
     return {std::nullopt, {reason, forward, choices.between(0, 15)}};
 }
 
-/// Any axis that the chart has.
-[[nodiscard]] inline dumbbell::collisions::Axis any_axis(Choices& choices,
-                                                         dumbbell::collisions::Chart chart) {
+[[nodiscard]] inline dumbbell::collisions::Axis any_axis(Choices& choices) {
     using dumbbell::collisions::Axis;
-    if (chart == dumbbell::collisions::Chart::wedge) return choices.coin() ? Axis::ratio : Axis::slope;
     constexpr Axis axes[] = {Axis::position, Axis::slope, Axis::ratio};
     return axes[choices.below(3)];
 }
 
 /// Any tree of at most about 2 * `splits` nodes.
-inline void grow_any_tree(Choices& choices, dumbbell::collisions::Chart chart, std::size_t splits,
-                          dumbbell::collisions::Tree& tree) {
+inline void grow_any_tree(Choices& choices, std::size_t splits, dumbbell::collisions::Tree& tree) {
     const std::size_t here = splits == 0 ? 0 : choices.below(splits + 1);
     if (here == 0) {
         tree.push_back(any_leaf(choices));
         return;
     }
-    tree.push_back({any_axis(choices, chart), {}});
+    tree.push_back({any_axis(choices), {}});
     const std::size_t lower = choices.below(here);
-    grow_any_tree(choices, chart, lower, tree);
-    grow_any_tree(choices, chart, here - 1 - lower, tree);
+    grow_any_tree(choices, lower, tree);
+    grow_any_tree(choices, here - 1 - lower, tree);
 }
 
 }  // namespace dumbbell_fuzz

@@ -29,9 +29,8 @@ const std::vector<Certificate>& bases() {
         std::vector<Certificate> result;
         for (const char* file :
              {"certificates/q-1.dbc", "certificates/q-10.dbc", "certificates/q-100.dbc",
-              "certificates/q-1e4.dbc", "certificates/stairs-1-100.dbc", "certificates/wedge-1-100.dbc",
-              "certificates/hybrid-1-100.dbc", "tests/attacks/fuzz/bases/full-3.dbc",
-              "tests/attacks/fuzz/bases/full-6.dbc"})
+              "certificates/q-1e4.dbc", "certificates/stairs-1-100.dbc",
+              "tests/attacks/fuzz/bases/full-3.dbc", "tests/attacks/fuzz/bases/full-6.dbc"})
             result.push_back(read_certificate(std::string(DUMBBELL_PROJECT) + "/" + file));
         return result;
     }();
@@ -59,7 +58,7 @@ Certificate any_true_claim(Choices& choices) {
 
 Count changed(const Count& n, Choices& choices) { return std::max<Count>(0, n + choices.between(-2, 2)); }
 
-void change_leaf(Node& node, Chart chart, Choices& choices) {
+void change_leaf(Node& node, Choices& choices) {
     switch (choices.below(4)) {
         case 0:
             node.leaf.forward = changed(node.leaf.forward, choices);
@@ -69,7 +68,7 @@ void change_leaf(Node& node, Chart chart, Choices& choices) {
             break;
         case 2:
             if (node.split) {
-                node.split = any_axis(choices, chart);
+                node.split = any_axis(choices);
             } else {
                 std::swap(node.leaf.forward, node.leaf.backward);
             }
@@ -98,7 +97,7 @@ void change_tree(ChartTree& part, Choices& choices) {
             replace(tree, node, {choices.coin() ? here.back() : any_leaf(choices)});
             break;
         case 1: {  // needlessly split
-            Tree twice{{any_axis(choices, part.chart), {}}};
+            Tree twice{{any_axis(choices), {}}};
             twice.insert(twice.end(), here.begin(), here.end());
             twice.insert(twice.end(), here.begin(), here.end());
             replace(tree, node, twice);
@@ -122,12 +121,12 @@ void change_tree(ChartTree& part, Choices& choices) {
         }
         case 4: {
             Tree random;
-            grow_any_tree(choices, part.chart, 6, random);
+            grow_any_tree(choices, 6, random);
             replace(tree, node, random);
             break;
         }
         default:
-            change_leaf(tree[node], part.chart, choices);
+            change_leaf(tree[node], choices);
     }
 }
 
@@ -234,9 +233,7 @@ void change_ratios(Certificate& claim, std::size_t i, Choices& choices) {
 
 void change_kind(Certificate& claim, Choices& choices) {
     Section& section = claim.system.section;
-    if (section == Section::wedge || section == Section::hybrid) {
-        section = choices.coin() ? Section::hybrid : Section::wedge;
-    } else if (section != Section::turning) {
+    if (section != Section::turning) {
         section = choices.coin() ? Section::full : Section::plain;
         for (Piece& piece : claim.pieces)
             for (std::size_t i = 0; i < 2 && i < piece.cover.charts.size(); ++i)
@@ -309,8 +306,6 @@ Box root_of(Chart chart, const Piece& piece) {
         case Chart::bridge:
         case Chart::light:
             return {{0, 0, lo}, {2, root_end(piece.q_hi), hi}};
-        case Chart::wedge:
-            return {{0, 0, lo}, {0, root_end(piece.q_hi), hi}};
         case Chart::departure:
         case Chart::plain_departure:
             return {{0, 0, lo}, {2, 2, hi}};
@@ -389,7 +384,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
     try {
         (void)dumbbell_verify::verify(file.holding(render(claim).text), settings);
-        for (const Piece& piece : claim.pieces) must_be_true(settings.scene, piece);
+        for (const Piece& piece : claim.pieces) must_be_true(piece);
     } catch (const dumbbell_verify::Failure& failure) {
         must(failure.verdict == dumbbell_verify::Verdict::rejected ||
                  failure.verdict == dumbbell_verify::Verdict::limit,

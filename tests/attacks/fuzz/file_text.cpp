@@ -72,15 +72,10 @@ bool is_little_work(const std::string& text) {
     constexpr double most_steps = 50'000;
     const auto lines = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
     const double q = greatest_ratio(text), ray = 10 + std::sqrt(q);
-    const std::string scene = value_of(text, "scene"), section = value_of(text, "section");
+    const std::string section = value_of(text, "section");
     double leaf = ray;
     if (section == "full") leaf = 10 * q;           // every step of a flight may begin a ray
     if (section == "none") leaf = 1000 + 64 * ray;  // spans, and rays off the first steps
-    if (scene == "wedge" || scene == "hybrid") {
-        // Exact numbers, that grow with every step by the length of the ratio.
-        const double words = 1 + static_cast<double>(text.size()) / 20;
-        leaf = ray * (1 + std::sqrt(q) * words * words / 1e6);
-    }
     const double multiple = text.find("\nbits 53\n") == std::string::npos ? 20 : 1;
     return lines * leaf * multiple <= most_steps;
 }

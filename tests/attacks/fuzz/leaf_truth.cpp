@@ -67,35 +67,9 @@ std::optional<Seen> departing(const Body& body, const ChartState& s) {
     return future(body, contact_of(body, LightState<Real>{s.position, kappa * s.ratio}));
 }
 
-/// Lemma L17: collisions of a ray in the straight wedge. With change > 0: but for those that a slightly
-/// steeper ray does not have; with change < 0: and those that a slightly flatter one has.
-long wedge_count(Real kappa, Real r, Real change) {
-    kappa += change;
-    r += change;
-    for (long n = 0;; ++n) {
-        if (kappa >= 1) return n;
-        const Real divisor = 1 - 2 * kappa - r;
-        if (divisor <= 0) return n + 1;
-        kappa = (kappa + 2 * r - r * kappa) / divisor;
-    }
-}
-std::optional<Seen> in_wedge(const ChartState& s) {
-    const Real r = 1 / s.ratio, divisor = 1 + 2 * r * s.slope - r, top = 2 + r * s.slope - s.slope;
-    if (s.slope < 0 || r * s.slope > 1 - doubt || top < doubt) return std::nullopt;
-    const long back = divisor > doubt ? wedge_count(r * top / divisor, r, doubt) : 0;
-    return Seen{1 + wedge_count(r * s.slope, r, doubt) + back, false};
-}
-/// No fewer than there are.
-long most_in_wedge(const ChartState& s) {
-    const Real r = 1 / s.ratio, divisor = 1 + 2 * r * s.slope - r, top = 2 + r * s.slope - s.slope;
-    const long back = divisor > -doubt ? wedge_count(r * top / std::max(divisor, doubt), r, -doubt) : 0;
-    return 1 + wedge_count(r * s.slope, r, -doubt) + back;
-}
-
 }  // namespace
 
 std::optional<Seen> simulated(Chart chart, const ChartState& state) {
-    if (chart == Chart::wedge) return in_wedge(state);
     const Body body(state.ratio);
     switch (chart) {
         case Chart::bridge:
@@ -131,21 +105,14 @@ void must_hold(Chart chart, const dumbbell::collisions::Leaf& leaf, const ChartS
 
 void must_hold(const dumbbell::collisions::Witness& witness, Real ratio) {
     const ChartState state{witness.e.convert_to<Real>(), witness.eta.convert_to<Real>(), ratio};
-    long seen = 0;
-    if (witness.place == dumbbell::collisions::Place::wedge) {
-        seen = most_in_wedge(state);
-    } else {
-        must(state.position > 0 && state.position <= pi / 2 && state.slope > 0, "a witness is in its chart");
-        const auto total =
-            whole(Body(ratio), contact_of(Body(ratio), BridgeState<Real>{state.position, state.slope}));
-        if (!total) return;
-        seen = static_cast<long>(total->collisions);
-    }
-    if (witness.total() <= seen) return;
+    must(state.position > 0 && state.position <= pi / 2 && state.slope > 0, "a witness is in its chart");
+    const auto total =
+        whole(Body(ratio), contact_of(Body(ratio), BridgeState<Real>{state.position, state.slope}));
+    if (!total || witness.total() <= static_cast<long>(total->collisions)) return;
     std::ostringstream text;
     text.precision(21);
     text << "an accepted witness is wrong: " << state.position << ' ' << state.slope << ", ratio " << ratio
-         << ": claims " << witness.total() << ", simulated " << seen;
+         << ": claims " << witness.total() << ", simulated " << total->collisions;
     trap(text.str());
 }
 

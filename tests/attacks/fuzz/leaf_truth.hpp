@@ -1,6 +1,5 @@
 // What a leaf says of a state, against the simulated trajectory through that state (tests/attacks/oracle:
-// other coordinates, no formula in common; in the model wedge the iteration of the straight wedge in plain
-// numbers).
+// other coordinates, no formula in common).
 #pragma once
 
 #include <optional>

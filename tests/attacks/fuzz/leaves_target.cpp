@@ -26,14 +26,10 @@ struct Place {
 
 Place any_place(Choices& choices) {
     using namespace dumbbell_verify;
-    const Place places[] = {{Chart::bridge, &turning(), 0},
-                            {Chart::light, &turning(), 1},
-                            {Chart::contact, &full(), 0},
-                            {Chart::departure, &full(), 1},
-                            {Chart::again, &full(), 2},
-                            {Chart::plain_contact, &plain(), 0},
-                            {Chart::plain_departure, &plain(), 1},
-                            {Chart::wedge, &wedge(), 0}};
+    const Place places[] = {{Chart::bridge, &turning(), 0},       {Chart::light, &turning(), 1},
+                            {Chart::contact, &full(), 0},         {Chart::departure, &full(), 1},
+                            {Chart::again, &full(), 2},           {Chart::plain_contact, &plain(), 0},
+                            {Chart::plain_departure, &plain(), 1}};
     return places[choices.below(std::size(places))];
 }
 
@@ -142,8 +138,6 @@ void try_witness(const Place& place, dumbbell_verify::Leaf leaf, Choices& choice
     for (std::size_t i = 0; i < 2; ++i) leaf.box.hi.at(i) = leaf.box.lo.at(i);
     dumbbell::collisions::Witness said{dumbbell::Rational(leaf.box.lo[0].get_mpq_t()),
                                        dumbbell::Rational(leaf.box.lo[1].get_mpq_t())};
-    using SaidPlace = dumbbell::collisions::Place;
-    said.place = place.chart == Chart::wedge ? SaidPlace::wedge : SaidPlace::bridge;
     const long total = std::max(1L, about_as_many(place, leaf.box, choices));
     said.forward = choices.between(0, total - 1);
     said.backward = dumbbell::Count(total - 1) - said.forward;
@@ -166,8 +160,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     leaf.box.lo[2] = leaf.box.hi[2] = q;
     widen(leaf.box.lo[2], leaf.box.hi[2], choices, 1, 2000);
-    const bool has_witness = place.chart == Chart::bridge || place.chart == Chart::wedge;
-    if (has_witness && choices.below(4) == 3) {
+    if (place.chart == Chart::bridge && choices.below(4) == 3) {
         try_witness(place, leaf, choices);
     } else {
         try_leaf(place, leaf, choices);

@@ -41,22 +41,19 @@ Piece any_piece(Choices& choices, const Claim& claim) {
     piece.upper = choices.between(1, 20);
     for (const Chart chart : row_of(claim.system.section).charts) {
         piece.cover.charts.push_back({chart, {}});
-        grow_any_tree(choices, chart, 12, piece.cover.charts.back().tree);
+        grow_any_tree(choices, 12, piece.cover.charts.back().tree);
     }
     piece.lower = choices.between(0, as_long(*piece.upper));
     if (piece.lower > 0) {
-        const Place place = row_of(claim.system.section).has_orbits ? Place::bridge : Place::wedge;
         const Rational e = any_dyadic(choices);
-        piece.witness =
-            Witness{e, any_dyadic(choices), choices.between(0, 20), choices.between(0, 20), place};
+        piece.witness = Witness{e, any_dyadic(choices), choices.between(0, 20), choices.between(0, 20)};
     }
     return piece;
 }
 
 Claim any_claim(Choices& choices) {
-    constexpr Section sections[] = {Section::turning, Section::full, Section::plain, Section::hybrid,
-                                    Section::wedge};
-    return {.range = {1, 1000}, .system = {sections[choices.below(5)]}, .gap = Rational(1, 1000)};
+    constexpr Section sections[] = {Section::turning, Section::full, Section::plain};
+    return {.range = {1, 1000}, .system = {sections[choices.below(3)]}, .gap = Rational(1, 1000)};
 }
 
 /// As text: the one spelling, so that equal text is equal data.

@@ -45,7 +45,14 @@ const std::vector<Step>& table() {
     return steps;
 }
 
-/// N*(q) >= n iff q > q_c(n).
+/// least <= N*(q) <= most.
+struct Bounds {
+    std::uint64_t least = 0;
+    std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// N*(q) >= n iff q > q_c(n). Equal bounds, but for ratios within 1e-50 of a critical one, and beyond the
+/// table (10^6), where there is no upper one.
 Bounds of_dumbbell(const mpq_class& q) {
     const auto& steps = table();
     const auto first =
@@ -62,12 +69,12 @@ Bounds of_angle(long double angle) {
     const auto natural = [](long double x) { return static_cast<std::uint64_t>(std::ceil(x)); };
     return {natural(value * (1 - 1e-12L)), natural(value * (1 + 1e-12L))};
 }
-Bounds of_wedge(const mpq_class& q) {
+Bounds of_symmetric(const mpq_class& q) {
     return of_angle(2 * std::atan(1 / std::sqrt(static_cast<long double>(q.get_d()))));
 }
 /// L72 or Theorem B of body.md, 1e-9 around a step; of long orbits L73 and L84 (a).
 Bounds of_body(const dumbbell::Rational& rho, const mpq_class& q) {
-    if (rho == 1) return of_wedge(q);
+    if (rho == 1) return of_symmetric(q);
     const double height = rho.convert_to<double>(), inertia = q.get_d();
     if (inertia <= 1000) {
         const auto most = [&](double share) {
@@ -77,29 +84,24 @@ Bounds of_body(const dumbbell::Rational& rho, const mpq_class& q) {
     }
     const long double root = std::sqrt(static_cast<long double>(inertia));
     return {of_angle(std::acos(-1.0L) - std::atan(root) - std::atan(height * root)).least,
-            of_wedge(q).most + 2};
+            of_symmetric(q).most + 2};
 }
 
 }  // namespace
 
-Bounds maximum(const std::string& scene, const mpq_class& q) {
-    return scene == "dumbbell" ? of_dumbbell(q) : of_wedge(q);
-}
-
 mpq_class critical_ratio(std::size_t n) { return table().at(n - first_step).cut; }
 std::size_t greatest_critical() { return first_step + table().size() - 1; }
 
-void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
-                  const std::optional<dumbbell::Rational>& height) {
+void must_be_true(const dumbbell::collisions::Piece& piece, const std::optional<dumbbell::Rational>& height) {
     const mpq_class lo(piece.q_lo.raw()), hi(piece.q_hi.raw());
     // The maximum does not decrease with q or Q.
-    const Bounds at_lo = height ? of_body(*height, lo) : maximum(scene, lo),
-                 at_hi = height ? of_body(*height, hi) : maximum(scene, hi);
+    const Bounds at_lo = height ? of_body(*height, lo) : of_dumbbell(lo),
+                 at_hi = height ? of_body(*height, hi) : of_dumbbell(hi);
     if ((!piece.upper || *piece.upper >= at_hi.least) && piece.lower <= at_lo.most) return;
-    trap("verified, but false: scene " + scene + ", ratios " + lo.get_str() + ":" + hi.get_str() +
-         ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " + piece.lower.str() +
-         "; the maximum is at least " + std::to_string(at_hi.least) + " at the end, at most " +
-         std::to_string(at_lo.most) + " at the beginning");
+    trap("verified, but false: " + std::string(height ? "a body, Q " : "ratios ") + lo.get_str() + ":" +
+         hi.get_str() + ", upper " + (piece.upper ? piece.upper->str() : "none") + ", lower " +
+         piece.lower.str() + "; the maximum is at least " + std::to_string(at_hi.least) +
+         " at the end, at most " + std::to_string(at_lo.most) + " at the beginning");
 }
 
 }  // namespace dumbbell_fuzz

@@ -12,23 +12,13 @@
 
 namespace dumbbell_fuzz {
 
-/// least <= N*(q) <= most.
-struct Bounds {
-    std::uint64_t least = 0;
-    std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-};
-
-/// The maximum of the scene at q >= 1. Equal bounds, but for ratios within 1e-50 of a critical one, and
-/// beyond the table (10^6), where there is no upper one. In the wedges: ceil(pi/gamma), 1e-12 around a step.
-[[nodiscard]] Bounds maximum(const std::string& scene, const mpq_class& q);
-
 /// Near the critical ratio q_c(n), to 50 digits; 3 <= n <= greatest_critical().
 [[nodiscard]] mpq_class critical_ratio(std::size_t n);
 [[nodiscard]] std::size_t greatest_critical();
 
 /// Ends the program if "N* <= upper and N* >= lower at all ratios of the piece" is certainly false.
 /// `height`: rho of a body.
-void must_be_true(const std::string& scene, const dumbbell::collisions::Piece& piece,
+void must_be_true(const dumbbell::collisions::Piece& piece,
                   const std::optional<dumbbell::Rational>& height = {});
 
 }  // namespace dumbbell_fuzz

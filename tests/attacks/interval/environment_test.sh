@@ -19,7 +19,7 @@ fail() {
 
 # Each word of the program, and the verifier: alone on a small certificate, and with leaves enough for 8 threads.
 stairs=$certificates/stairs-1-100.dbc
-words=(certify far critical law audit trace starts adiabatic plot verify leaves full wedge hybrid ones)
+words=(certify far critical law audit trace starts adiabatic plot verify leaves full ones)
 command_of() {
     case $1 in
         certify) command=("$dumbbell" certify 1:30 --gap 1e-6 --jobs 8 --out "$folder/out.dbc") ;;
@@ -34,8 +34,6 @@ command_of() {
         verify) command=("$verifier" "$certificates/q-10.dbc") ;;
         leaves) command=("$verifier" --jobs 8 "$stairs") ;;
         full) command=("$verifier" --jobs 8 "$certificates/full-100.dbc.gz") ;;
-        wedge) command=("$verifier" --scene wedge "$certificates/wedge-1-100.dbc") ;;
-        hybrid) command=("$verifier" --scene hybrid "$certificates/hybrid-1-100.dbc") ;;
         ones) command=("$verifier" "$certificates/q-1.dbc") ;;
     esac
 }

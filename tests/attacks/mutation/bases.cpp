@@ -153,9 +153,6 @@ std::vector<Base> bases(bool large) {
         base("symmetric-range", bodies(Section::plain_body, "1", "2", "3", 3, 3)),
         base("tangents", bodies(Section::body, "1/2", "13/2", "13/2", 4, 4)),
         base("tangents-range", bodies(Section::body, "1/2", "5/2", "5", 3, 3)),
-        base("wedge", certified("3", "3", "1e-3", Section::wedge)),
-        base("wedge-range", certified("3", "7", "1e-3", Section::wedge)),
-        base("hybrid-range", certified("5", "11", "1e-3", Section::hybrid)),
         base("falling",
              subdivided(box({{{"-1", "1"}, {"1/100", "1/100"}, {"3/2", "3/2"}, {"-1", "-1"}, {"10", "10"}}}),
                         16)),
@@ -175,7 +172,6 @@ std::vector<Base> bases(bool large) {
         all.push_back(base("full-large", certified("10", "10", "1e-3", Section::full)));
         all.push_back(base("body", bodies(Section::plain_body, "1/2", "5/2", "5/2", 6, 3), 6));
         all.push_back(base("staircase", certified("1", "50")));
-        all.push_back(base("wedge-staircase", certified("1", "50", "1e-6", Section::wedge)));
     }
     for (Base& adiabatic : adiabatic_bases()) all.push_back(std::move(adiabatic));
     return all;

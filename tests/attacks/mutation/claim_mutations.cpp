@@ -27,9 +27,9 @@ void best_tree(Chart chart, const Box& box, const Count& upper, int depth, Tree&
         tree.push_back({std::nullopt, *leaf});
         return;
     }
-    const bool position = chart != Chart::wedge && width(box[Axis::position].lo, box[Axis::position].hi) *
-                                                           approximate(box[Axis::ratio].hi) >=
-                                                       width(box[Axis::slope].lo, box[Axis::slope].hi);
+    const bool position =
+        width(box[Axis::position].lo, box[Axis::position].hi) * approximate(box[Axis::ratio].hi) >=
+        width(box[Axis::slope].lo, box[Axis::slope].hi);
     const bool ratio = width(box[Axis::ratio].lo, box[Axis::ratio].hi) * 8 > approximate(box[Axis::ratio].lo);
     const Axis axis = ratio ? Axis::ratio : position ? Axis::position : Axis::slope;
     const auto [low, high] = halves(box, axis);
@@ -50,7 +50,7 @@ class Claims {
             if (i + 1 < data_.pieces.size()) merge(i);
         }
         ranges();
-        for (int i = 0; i <= static_cast<int>(Section::wedge); ++i) {
+        for (int i = 0; i <= static_cast<int>(Section::plain_body); ++i) {
             Certificate changed = data_;
             changed.system.section = static_cast<Section>(i);
             give("section", fmt::format("{}", i), changed);

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "adiabatic/writer.hpp"
-#include "collisions/section.hpp"
 
 namespace dumbbell_mutation {
 namespace {
@@ -77,32 +76,26 @@ std::vector<Demand> demands_of(const dumbbell::collisions::Certificate& data) {
         demand.settings.demand.rhos = std::pair(exact(lo), exact(hi));
         demand.what += " --rho " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
     };
-    const std::string own_scene(row_of(data.system.section).scene);
     std::vector<Demand> demands;
     for (const Rational& lo : ends)
         for (const Rational& hi : ends)
             for (const Bounds& bounds : bounds_near(numbers)) {
                 if (lo > hi) continue;
                 const std::string range =
-                    "--ratio " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi);
-                if (const auto& rho = data.system.rho) {
-                    const bool proved = proves(data.pieces, lo, hi, bounds);
-                    for (const bool wider : {false, true}) {
-                        demands.push_back({settings_of(lo, hi, bounds, "body"),
-                                           "--inertia " + dumbbell::to_fraction(lo) + ":" +
-                                               dumbbell::to_fraction(hi) + bounds.text(),
-                                           proved && !wider});
-                        rhos(demands.back(), wider ? *rho * Rational(9, 10) : *rho, *rho);
-                    }
+                    " " + dumbbell::to_fraction(lo) + ":" + dumbbell::to_fraction(hi) + bounds.text();
+                const bool proved = proves(data.pieces, lo, hi, bounds);
+                for (const bool wider : {false, true}) {
+                    demands.push_back({settings_of(lo, hi, bounds, "body"), "--inertia" + range,
+                                       proved && data.system.rho && !wider});
+                    const Rational rho = data.system.rho.value_or(1);
+                    rhos(demands.back(), wider ? rho * Rational(9, 10) : rho, rho);
                 }
-                for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
-                    demands.push_back({settings_of(lo, hi, bounds, scene),
-                                       range + bounds.text() + " --scene " + scene,
-                                       scene == own_scene && proves(data.pieces, lo, hi, bounds)});
+                demands.push_back({settings_of(lo, hi, bounds, "dumbbell"),
+                                   "--ratio" + range + " --scene dumbbell", proved && !data.system.rho});
                 if (data.system.rho) continue;  // with --claim initial-conditions --inertia is wrong usage
-                demands.push_back(
-                    {settings_of(lo, hi, bounds, own_scene),
-                     range + bounds.text() + " --scene " + own_scene + " --claim initial-conditions", false});
+                demands.push_back({settings_of(lo, hi, bounds, "dumbbell"),
+                                   "--ratio" + range + " --scene dumbbell --claim initial-conditions",
+                                   false});
                 demands.back().settings.claim = "initial-conditions";
             }
     return demands;
@@ -140,7 +133,7 @@ std::vector<Demand> demands_of(const dumbbell::starts::Certificate& data) {
 
 std::vector<Demand> demands_of(const dumbbell::adiabatic::Certificate& data) {
     std::vector<Demand> demands;
-    for (const std::string scene : {"dumbbell", "hybrid", "wedge"})
+    for (const std::string scene : {"dumbbell", "body"})
         for (const std::string claim : {"", "adiabatic-bounce", "adiabatic-run", "adiabatic-scattering",
                                         "initial-conditions", "collisions"}) {
             dumbbell_verify::Request settings;

@@ -104,11 +104,11 @@ Changes of_dyadic(const std::string& word) {
 
 /// The words of the format that may stand in the same place.
 constexpr std::string_view classes[][11] = {
-    {"dumbbell", "hybrid", "wedge", "none"},
-    {"turning", "full", "none", "wedge", "tangents"},
+    {"dumbbell", "body", "none"},
+    {"turning", "full", "none", "tangents"},
     {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
      "adiabatic-scattering"},
-    {"bridge", "light", "contact", "departure", "again", "wedge", "tangent"},
+    {"bridge", "light", "contact", "departure", "again", "tangent"},
     {"e", "eta", "lambda", "t", "q", "rho", "phi", "phidot", "y", "ydot", "s"},
     {"u", "s", "v", "delta", "sigma", "q"},
     {"bound", "outside", "split", "attained", "cell", "end"},

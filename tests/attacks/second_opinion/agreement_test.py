@@ -16,7 +16,7 @@ del sys.argv[1:3]
 WRITTEN = [
     "certify 7", "certify 5/2:6", "certify 1:2", "certify 4.603338848751701", "certify 4.6:4.61 --gap 1e-40", "certify 1e6",
     "certify 3 --section full", "certify 2:3 --section full", "certify 3/2 --section plain",
-    "certify 1:9 --scene wedge", "certify 1:9 --scene hybrid", "certify --coin", "certify --scene body --rho 9/10 --inertia 2",
+    "certify --coin", "certify --rho 9/10 --inertia 2",
     "certify --rho 9/10 --inertia 21/10:22/10 --section plain", "certify --rho 7/25 --inertia 20:60",
     "trace 10 --phi 1/3 --phidot 1 --y 3 --ydot -1/2 --subdivide",
     "trace 10:11 --phi 0:1 --phidot -1/2:1/2 --y 3/2 --ydot -1:-1/2 --subdivide --max-boxes 60",
@@ -27,7 +27,7 @@ WRITTEN = [
     "trace 4.61 --incoming --subdivide --max-boxes 60", "trace 1000 --incoming --subdivide --max-boxes 300",
 ]
 if second.SCALE > 1:
-    WRITTEN += ["certify 1e9", "certify 2 --section plain", "certify --scene body --rho 1/2 --inertia 3",
+    WRITTEN += ["certify 1e9", "certify 2 --section plain", "certify --rho 1/2 --inertia 3",
                 "trace 1000 --incoming --subdivide --max-boxes 1000"]
 
 

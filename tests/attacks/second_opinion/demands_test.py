@@ -99,9 +99,9 @@ class Demands(unittest.TestCase):
         """What does not fit together is refused, in whatever order it stands."""
         start, law = "--claim initial-conditions", "--claim law"
         for claim in ("--coin --ratio 4", "--rho 1 --ratio 4", "--inertia 4 --ratio 4", "--scene body --ratio 4", "--coin --rho 1",
-                      "--rod-mass 1 --rho 1 --ratio 3", "--rod-mass 1", "--rod-mass 1 --ratio 2:3", "--scene wedge --coin", "--rho 1 --max 3",
+                      "--rod-mass 1 --rho 1 --ratio 3", "--rod-mass 1", "--rod-mass 1 --ratio 2:3", "--scene dumbbell --coin", "--rho 1 --max 3",
                       "--inertia 3 --gap 0", "--scene body --max 3", "--rho 1:2", "--gap 1", "--gap -1/9", "--gap x", "--heavy-at-most 2",
-                      "--phi 1", "--decided 1", f"{start} --gap 0", f"{start} --ratio 1/2", f"{start} --decided 1.1", f"{start} --coin",
+                      "--phi 1", f"{law} --decided 1", f"{start} --gap 0", f"{start} --ratio 1/2", f"{start} --decided 1.1", f"{start} --coin",
                       f"{start} --scene body --ratio 2", "--claim incoming --phi 1", f"{law} --ratio 2", f"{law} --coin", "--exactly 2 --min 2",
                       "--claim adiabatic-run --exponent 0", "--claim adiabatic-scattering --heights 1", "--claim adiabatic-run --constant 1,2",
                       "--claim adiabatic-bounce --max 3", "--coin=1", "--delta 1/9", "--phi 1:0 --claim initial-conditions"):

@@ -14,9 +14,6 @@ import contact
 import fixed
 import incoming
 import initial
-import wedge
-import work
-from failure import Limit
 from simulation import Doubtful, Dumbbell
 
 
@@ -213,22 +210,6 @@ class Leaves(unittest.TestCase):
                     last = Fraction(max(t for t, other in crossings if other == mass) + 0.003)
                     self.assertFalse(last > t1 and contact.is_first_contact(contact.Air(box), mass, t0, last), (state, t, mass))
         self.assertGreater(seen, 8 * second.SCALE)
-
-    def test_wedge_in_its_angle(self):
-        """atan(sqrt q kappa) grows by gamma with each collision: the number of collisions in closed form."""
-        for _ in range(100 * second.SCALE):
-            q = Fraction(self.random.uniform(1.01, 3000))
-            kappa = Fraction(self.random.random())
-            root = math.sqrt(q)
-            gamma = math.atan(2 * root / (q - 1)) if q > 1 else math.pi / 2
-            steps = (math.atan(root) - math.atan(root * kappa)) / gamma
-            if abs(steps - round(steps)) > 1e-9:
-                count = math.ceil(steps)
-                self.assertTrue(wedge.count_reaches(kappa, 1 / q, count))
-                self.assertFalse(wedge.count_reaches(kappa, 1 / q, count + 1))
-        work.allow(1)
-        self.assertRaises(Limit, wedge.count_reaches, Fraction(0), Fraction(1, 10 ** 12), 10 ** 6)
-        work.allow(math.inf)
 
 
 if __name__ == "__main__":

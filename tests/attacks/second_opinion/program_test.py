@@ -96,14 +96,14 @@ class Files(unittest.TestCase):
         for words in (["--max", "9"], ["--min", "3"], ["--exactly", "10"], ["--ratio", "1:101", "--max", "10"], ["--ratio=1/101"],
                       ["--ratio", "1:101"], ["--ratio", "99:100", "--max", "9"], ["--ratio", "99:100", "--exactly", "10"],
                       ["--ratio", "0.01:0.1", "--max", "10"], ["--ratio", "1e2", "--exactly", "10"], ["--ratio", "10^2", "--max", "9"],
-                      ["--ratio", "5:30"], ["--scene", "wedge"], ["--claim", "incoming"], ["--claim", "law", "--scene", "dumbbell"],
+                      ["--ratio", "5:30"], ["--scene", "body"], ["--claim", "incoming"], ["--claim", "law", "--scene", "dumbbell"],
                       ["--claim", "collisions", "--scene", "dumbbell", "--ratio", "2", "--max", "3", "--min", "0"], ["--gap", "1e-6"],
                       ["--ratio", "5:11", "--gap", "0", "--max", "5"], ["--ratio", "5:12", "--gap", "0"], ["--heavy-at-most", "1"],
                       ["--coin"], ["--ratio", "10", "--gap", "0"], ["--gaps", "8"], ["--gaps", "7", "--gap", "0.01"]):
             line, code = second.verdict_line(STAIRS, words)
             self.assertEqual((code, line + "\n"), first(["--quiet", *words, STAIRS])[:2])
-        self.assertEqual(first(["--max", "16", str(CERTIFICATES / "wedge-1-100.dbc")])[1].splitlines()[-1],
-                         second.verdict_line(CERTIFICATES / "wedge-1-100.dbc", ["--max", "16"])[0])
+        self.assertEqual(first(["--max", "16", str(CERTIFICATES / "coin.dbc")])[1].splitlines()[-1],
+                         second.verdict_line(CERTIFICATES / "coin.dbc", ["--max", "16"])[0])
 
     def test_where_nothing_is_proved(self):
         """The file is right all the same; a bound that is demanded is not proved."""
@@ -134,28 +134,15 @@ class Program(unittest.TestCase):
                       ["--scene", "body", "--rho", "2", Q10], ["--quiet", "--scene", "body", "--rho", "1/2:1", Q10], ["--ratio", "1/0", Q10], ["--surely", Q10], [], ["--quiet", "--", "--quiet"], ["-q", Q10],
                       ["--quiet", str(CERTIFICATES)], ["--quiet", "no\nthing", "no\x1b[31mthing"], ["--max=4", "--", Q10, Q10],
                       ["--ratio", "", Q10], ["--quiet", ""], ["--coin", "--ratio", "4", Q10], ["--claims", "/nowhere"], ["--claims", Q10, Q10],
-                      ["--claims", Q10, "--together"], ["--claims", Q10, "--max", "4"],
+                      ["--claims", Q10, "--max", "4"],
                       ["--quiet", "--ratio", "7" * 990 + "e999", "--rod-mass", "3" * 990 + "e-999", "--max", "5", str(CERTIFICATES / "coin.dbc")]):
             ours, theirs = run(words), first(words)
             self.assertEqual(ours[:2], theirs[:2], words)
             self.assertEqual(ours[2].replace(options.NAME, "dumbbell-verify"), theirs[2], words)
 
-    def test_several_files_as_one_and_lists(self):
-        """The same verdicts as the first verifier's, of what fits together and of what does not."""
-        one, coin, hundred = (str(CERTIFICATES / name) for name in ("q-1.dbc", "coin.dbc", "q-100.dbc"))
-        for words in ([hundred, STAIRS, one], ["--ratio", "1:100", "--max", "10", one, STAIRS], ["--ratio", "1:100", "--max", "9", STAIRS, one],
-                      ["--gap", "1e-6", "--ratio", "1:100", STAIRS, one], ["--gap", "0", STAIRS, one], [one, Q10], [STAIRS, Q10], [Q10],
-                      [one, coin], [STAIRS, one, "/nowhere"], ["--scene", "wedge", one], [str(CERTIFICATES / "law.dbc.gz"), one], []):
-            self.assertEqual(run(["--quiet", "--together", *words])[:2], first(["--quiet", "--together", *words])[:2], words)
-        with tempfile.NamedTemporaryFile() as file:  # of a single ratio: one piece has no upper bound, one no lower one
-            lines = body(one)
-            at = lines.index("piece 1/1 1/1")
-            file.write(signed([*lines[:at - 1], "pieces 2", *lines[at:at + 2], "upper none", *lines[at + 4:at + 6], *lines[at:at + 4],
-                               "lower 0", *lines[at + 6:-1], "total open 1"]))
-            file.flush()
-            for words in ([], ["--gap", "1e-6"], ["--ratio", "1:100"], ["--ratio", "1:100", "--gap", "1e-6"], ["--ratio", "1", "--gap", "0"]):
-                words = ["--quiet", "--together", *words, file.name, STAIRS]
-                self.assertEqual(run(words)[:2], first(words)[:2], words)
+    def test_lists(self):
+        """The same verdicts as the first verifier's."""
+        coin = str(CERTIFICATES / "coin.dbc")
         with tempfile.NamedTemporaryFile("w", suffix=".tsv") as rows:
             rows.write(f"{Q10}\t--ratio 10 --exactly 4\tremark\n{STAIRS}\t--ratio 1:100 --max 10 --gap 1e-7\n{coin}\t--coin --max 4\n")
             rows.flush()
@@ -175,7 +162,7 @@ class Program(unittest.TestCase):
             for file in packed, again:
                 subprocess.run([sys.executable, second.FOLDER / "pack.py", file], check=True)
             self.assertEqual(packed.read_bytes(), again.read_bytes())
-            self.assertLess(packed.stat().st_size, 50_000)
+            self.assertLess(packed.stat().st_size, 52_000)
             false_claims = second.PROJECT / "tests/attacks/false_claims"
             words = [STAIRS, str(CERTIFICATES / "full-100.dbc.gz"), str(CERTIFICATES / "law.dbc.gz"),
                      *sorted(str(path) for path in false_claims.glob("less-deep-*.dbc"))]

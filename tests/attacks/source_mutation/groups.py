@@ -28,7 +28,7 @@ VERIFIER = {
             "core/number:core/turning core/interval:core/turning core/big:core/turning functions/angle:wings/starts/leaf "
             "machine/meter:machine/work"),
     # the leaves
-    **below("verify", "core/turning macro/leaps sections/body sections/full sections/wedge wings/starts/leaf",
+    **below("verify", "core/turning macro/leaps sections/body sections/full wings/starts/leaf",
             "core/ray:core/turning core/section:core/turning sections/bridge:sections/full sections/flights:sections/body "
             "wings/starts/flight:wings/starts/leaf wings/starts/ray:wings/starts/leaf "
             "wings/starts/reflection:wings/starts/leaf"),
@@ -39,8 +39,8 @@ VERIFIER = {
             "wings/starts/grammar:wings/starts/grammar  "
             "wings/starts/zero:wings/starts/grammar"),
     # the program: what was asked, and what the verdict and the exit code say
-    **below("verify/program", "options option_table claim_options claim_list together "
-            "examine main summary json junit escape replace_file", "arguments:options"),
+    **below("verify/program", "options option_table claim_options claim_list "
+            "examine main summary json escape", "arguments:options"),
 }
 
 ADIABATIC = below(
@@ -59,7 +59,7 @@ GROUPS = {
         # Guesses, from which certified steps start; and what `--explain` and a terminal show to people.
         left_out=frozenset({"guess_crossing", "terms", "describe", "log", "note", "block", "demand_text"}),
         texts=frozenset(("verify/wings/starts/claim.cpp", "verify/core/claim.cpp", *(
-            f"verify/program/{name}.cpp" for name in ("summary", "json", "junit", "escape", "main", "together")))),
+            f"verify/program/{name}.cpp" for name in ("summary", "json", "escape", "main")))),
         targets=("dumbbell-verify", "test_verify", "test_verify_poor_libraries", "mutation"),
         programs=("tests/rooms/verify/test_verify", "tests/rooms/verify/test_verify_poor_libraries"),
         prepare=(("{build}/tests/attacks/mutation/mutation", "--jobs", "1", "--most", "400", "--dump", "{work}/corpus",
@@ -74,7 +74,7 @@ GROUPS = {
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
     "tangents": Group(
-        files=below("verify", "sections/tangents"),
+        files=below("verify", "sections/tangents sections/cells", "sections/valley:sections/cells"),
         left_out=frozenset(),
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),
@@ -110,7 +110,7 @@ GROUPS = {
         programs=("tests/rooms/flight/test_flight", "tests/rooms/flight/test_flight_long")),
     "collisions": Group(
         files=below("collisions", "certificate certify chart claim cover halving leaf leaf_boxes part piece piece_store plan reader "
-                    "section sections/dumbbell sections/full sections/turning sections/wedge step_guess witness "
+                    "section sections/dumbbell sections/full sections/turning step_guess witness "
                     "witness_orbit writer",
                     "piece_store:piece_store"),
         left_out=frozenset(),

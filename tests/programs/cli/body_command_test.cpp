@@ -1,4 +1,7 @@
-// certify --scene body: rods with mass, and the coin.
+// certify: rods with mass, and the coin.
+#include <iterator>
+#include <sstream>
+
 #include "catch.hpp"
 #include "programs.hpp"
 
@@ -14,16 +17,15 @@ std::string refused_body(Words options) {
 
 }  // namespace
 
-TEST_CASE("certify --coin proves 4, and is --scene body --rho 1 --inertia 4") {
+TEST_CASE("certify --coin proves 4, and is --rho 1 --inertia 4") {
     const TemporaryFolder folder;
     const Outcome coin = dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path());
     CHECK(coin.code == 0);
     CHECK_THAT(coin.out, Contains("Proved: at Q 4, rho 1 no motion of the body in a plane, without a corner, "
                                   "hits the floor more than 4 times, and some motion hits it 4 times."));
     CHECK_THAT(coin.out, Contains("dumbbell verify --coin --exactly 4 coin.dbc\n"));
-    REQUIRE(dumbbell({"certify", "--scene", "body", "--rho", "1", "--inertia", "4", "--out", "same.dbc"},
-                     folder.path())
-                .code == 0);
+    REQUIRE(dumbbell({"certify", "--rho", "1", "--inertia", "4", "--out", "same.dbc"}, folder.path()).code ==
+            0);
     CHECK(contents(folder / "coin.dbc") == contents(folder / "same.dbc"));
 }
 
@@ -50,15 +52,13 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK(open.err == "dumbbell: not decided: allow more time (--budget)\n");
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
                Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
-    CHECK_THAT(refused_body({"--rho", "1/2:0.51", "--inertia", "9"}), Contains("--rho is one number"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
                Contains("proved by their tangents, or by --section plain"));
-    CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--scene body needs --rho"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({}), Contains("--coin"));
-    CHECK_THAT(refused_body({"--scene", "body"}), Contains("--rod-mass with RATIO"));
+    CHECK_THAT(refused_body({"--rho", "1"}), Contains("--rho needs --inertia"));
     CHECK_THAT(refused_body({"--rho", "2", "--inertia", "4"}), Contains("swap the ends"));
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1.9", "--section", "plain"}),
                Contains("inertia times rho is at least 1"));
@@ -67,7 +67,6 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"10", "--rod-mass=-1"}), Contains("is negative"));
     CHECK_THAT(refused_body({"10", "--coin"}), Contains("a RATIO only with --rod-mass"));
     CHECK_THAT(refused_body({"--coin", "--list", "-"}), Contains("--list and --coin exclude each other"));
-    CHECK_THAT(refused_body({"--coin", "--scene", "wedge"}), Contains("--scene body"));
     CHECK_THAT(refused_body({"--coin", "--part", "1/2"}), Contains("--part is for a range"));
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
 }
@@ -122,6 +121,26 @@ TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2
     CHECK(verifier({"--rho", "0.25", "--inertia", "4:30", "--max", "7", "--min", "3", "--gap", "1e-6",
                     "--gaps", "2", folder / "range.dbc"})
               .code == 0);
+}
+
+TEST_CASE("a share of a rectangle of bodies is proved in cells, and verified of parts, too") {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& words) {
+        std::istringstream in(words);
+        return dumbbell(Words(std::istream_iterator<std::string>(in), {}), folder.path());
+    };
+    const std::string certify = "certify --rho 1/5:1 --inertia 2:40 --decided 0.7 ";
+    const Outcome made = run(certify + "--out some.dbc");
+    CHECK(made.code == 0);
+    CHECK_THAT(made.out, Contains("Proved: of at least 0.7") &&
+                             Contains("dumbbell verify --rho 0.2:1 --inertia 2:40 --decided 0.7"));
+    CHECK(run("verify --decided 0.7 some.dbc").code == 0);
+    CHECK(run("verify --decided 0.8 some.dbc").code == 1);
+    CHECK(run("verify --rho 0.3:0.4 --inertia 10:12 --exactly 5 some.dbc").code == 0);
+    CHECK(run(certify + "--budget 0s --out none.dbc").code == 3);
+    CHECK_THAT(run("verify none.dbc").out, Contains("s OPEN ") && Contains(" decided=0.000000 "));
+    CHECK(Json::parse(run(certify + "--json").out).at("decided").get<std::string>() >= "0.7");
+    CHECK_THAT(run("certify --rho 1/5:1 --inertia 2:40 --decided 1").err, Contains("a share below 1"));
 }
 
 TEST_CASE("a map of bodies is drawn of certificates about bodies, each verified", "[wings]") {

@@ -80,8 +80,8 @@ TEST_CASE("the witness is also printed as a start in the air that trace proves t
             CHECK_THAT(plain, !Contains("dumbbell trace"));
         }
     }
-    for (const Words& other : {Words{"certify", "10", "--quiet"}, Words{"certify", "4:5"},
-                               Words{"certify", "10", "--scene", "wedge"}}) {
+    for (const Words& other :
+         {Words{"certify", "10", "--quiet"}, Words{"certify", "4:5"}, Words{"certify", "--coin"}}) {
         CHECK_THAT(dumbbell(other).out, !Contains("dumbbell trace"));
     }
 }

@@ -1,4 +1,4 @@
-// Parts of a range: certify and critical --part, and join, which believes none of them.
+// Parts of a range: certify --part, and join, which believes none of them.
 #include <functional>
 
 #include "catch.hpp"
@@ -22,24 +22,12 @@ Words made_parts(const TemporaryFolder& folder, int of, const Words& options = {
     return files;
 }
 
-Words made_tables(const TemporaryFolder& folder, int of, const std::string& digits = "20") {
-    Words files;
-    for (int k = 1; k <= of; ++k) {
-        files.push_back("part-" + std::to_string(k) + ".tsv");
-        REQUIRE(dumbbell({"critical", "3:40", "--digits", digits, "--part",
-                          std::to_string(k) + "/" + std::to_string(of), "--out", files.back()},
-                         folder.path())
-                    .code == 0);
-    }
-    return files;
-}
-
 Outcome join(const TemporaryFolder& folder, Words files, const Words& options = {},
              const std::string& out = "whole.dbc") {
     files.insert(files.begin(), "join");
     files.insert(files.end(), {"--out", out});
     if (std::ranges::find(options, "--range") == options.end()) {
-        files.insert(files.end(), {"--range", out.ends_with(".tsv") ? "3:40" : "1:300"});
+        files.insert(files.end(), {"--range", "1:300"});
     }
     files.insert(files.end(), options.begin(), options.end());
     return dumbbell(files, folder.path());
@@ -95,10 +83,8 @@ TEST_CASE("a part says which one it is, and keeps its own finished pieces") {
 
 TEST_CASE("parts are of ranges, and no more than there are steps") {
     CHECK_THAT(refused({"certify", "10", "--part", "1/2"}), Contains("a single mass ratio has no parts"));
-    CHECK_THAT(refused({"critical", "4", "--part", "1/2"}), Contains("a single critical ratio has no parts"));
     CHECK_THAT(refused({"certify", "1:300", "--part", "3/2"}), Contains("write K/N"));
     CHECK_THAT(refused({"certify", "1:300", "--part", "1/100"}), Contains("cut it into at most"));
-    CHECK_THAT(refused({"critical", "3:5", "--part", "1/4"}), Contains("cut it into at most 2"));
 }
 
 TEST_CASE("a missing part is named with the command that makes it") {
@@ -185,35 +171,21 @@ TEST_CASE("a part of another range, twice, or overlapping, is refused") {
                Contains("missing: the mass ratios 300 to 400;"));
 }
 
-TEST_CASE("parts of another scene, section or kind are refused in one line") {
+TEST_CASE("parts of another section are refused in one line") {
     const TemporaryFolder folder;
     const Words parts = made_parts(folder, 2);
-    for (const Words& options : {Words{"--scene", "wedge"}, {"--section", "full"}}) {
-        Words words{"certify", "300:310", "--out", "other.dbc"};
-        words.insert(words.end(), options.begin(), options.end());
-        REQUIRE(dumbbell(words, folder.path()).code == 0);
-        const std::string err = not_joined(folder, {parts[0], parts[1], "other.dbc"});
-        CHECK(count_lines(err) == 1);
-        CHECK_THAT(err, Contains("are of different claims") && Contains(options[0] + " " + options[1]));
-    }
-    REQUIRE(dumbbell({"critical", "3:5", "--out", "ratios.tsv"}, folder.path()).code == 0);
-    const std::string err = not_joined(folder, {parts[0], "ratios.tsv"});
+    REQUIRE(dumbbell({"certify", "300:310", "--section", "full", "--out", "other.dbc"}, folder.path()).code ==
+            0);
+    const std::string err = not_joined(folder, {parts[0], parts[1], "other.dbc"});
     CHECK(count_lines(err) == 1);
-    CHECK_THAT(
-        err, Contains("'ratios.tsv' is a table of critical ratios, and 'part-1.dbc' is not: join one kind"));
+    CHECK_THAT(err, Contains("are of different claims") && Contains("--section full"));
 }
 
-TEST_CASE("parts of a model wedge, and of the full section, are joined") {
-    for (const Words& options :
-         {Words{"--scene", "wedge"}, {"--scene", "hybrid"}, {"--section", "full", "--gap", "0.01"}}) {
-        const TemporaryFolder folder;
-        const bool is_wedge = options[0] == "--scene";
-        const char* range = is_wedge ? "1:300" : "1:20";
-        const Words parts = made_parts(folder, 2, options, range);
-        REQUIRE(join(folder, parts, {"--range", range}).code == 0);
-        const std::string scene = is_wedge ? options[1] : "dumbbell";
-        CHECK(verifier({"--scene", scene, "--ratio", range, folder / "whole.dbc"}).code == 0);
-    }
+TEST_CASE("parts of the full section are joined") {
+    const TemporaryFolder folder;
+    const Words parts = made_parts(folder, 2, {"--section", "full", "--gap", "0.01"}, "1:20");
+    REQUIRE(join(folder, parts, {"--range", "1:20"}).code == 0);
+    CHECK(verifier({"--ratio", "1:20", folder / "whole.dbc"}).code == 0);
 }
 
 TEST_CASE("parts with open pieces are joined only with --open, and never with exit code 0") {
@@ -232,57 +204,6 @@ TEST_CASE("parts with open pieces are joined only with --open, and never with ex
     const Outcome joined = join(folder, parts, {"--open"});
     CHECK(joined.code == 3);
     CHECK_THAT(verifier({folder / "whole.dbc"}).out, Contains("\ns OPEN "));
-}
-
-TEST_CASE("the tables of a range of critical ratios are joined to the table of one go, byte for byte") {
-    const TemporaryFolder folder;
-    const Words parts = made_tables(folder, 3);
-    const Outcome joined = join(folder, {parts[1], parts[2], parts[0]}, {"--range", "3:40"}, "whole.tsv");
-    CAPTURE(joined.err);
-    CHECK(joined.code == 0);
-    CHECK_THAT(joined.out,
-               StartsWith("3 parts verified, together the critical ratios for N = 3 to 40: sha256 "));
-    REQUIRE(dumbbell({"critical", "3:40", "--digits", "20", "--out", folder / "one.tsv"}).code == 0);
-    CHECK(contents(folder / "whole.tsv") == contents(folder / "one.tsv"));
-
-    const std::string missing = not_joined(folder, {parts[0], parts[2]}, {}, "whole.tsv");
-    CHECK_THAT(missing, Contains("missing: the critical ratios for N = ") &&
-                            Contains(" --digits 20 --out missing-1.tsv\n"));
-    CHECK_THAT(not_joined(folder, parts, {"--range", "3:41"}, "whole.tsv"),
-               Contains("dumbbell critical 41:41 --digits 20 --out missing-1.tsv"));
-    CHECK_THAT(not_joined(folder, {parts[0], parts[1], parts[1], parts[2]}, {}, "whole.tsv"),
-               Contains("overlap"));
-    CHECK_THAT(not_joined(folder, parts, {}, "whole.dbc"), Contains("the name of a table ends in .tsv"));
-}
-
-TEST_CASE("a table that says what is not certain is refused, with the command that makes it again") {
-    const TemporaryFolder folder;
-    const Words parts = made_tables(folder, 2);
-    const std::string file = folder / parts[0], good = contents(file);
-    const auto refuses = [&](const std::string& from, const std::string& to) {
-        write_file(file, replaced(good, from, to));
-        return not_joined(folder, parts, {}, "whole.tsv");
-    };
-    CHECK_THAT(
-        refuses("4\t4.6033388487517003525\t", "4\t4.6033388487517003524\t"),
-        Contains("q_c(4) is not certain to lie where it says; to make it again: dumbbell critical 3:"));
-    CHECK_THAT(refuses("\tcorner\t1\n", "\tcorner\t2\n"), Contains("(line 5)"));
-    write_file(file, good.substr(0, good.size() - 5));
-    CHECK_THAT(not_joined(folder, parts, {}, "whole.tsv"), Contains("as dumbbell critical --out writes it"));
-    write_file(file, good);
-    REQUIRE(dumbbell({"critical", "41:42", "--digits", "21", "--out", folder / "other.tsv"}).code == 0);
-    CHECK_THAT(not_joined(folder, {parts[0], parts[1], "other.tsv"}, {}, "whole.tsv"),
-               Contains("are of different claims: dumbbell critical "));
-}
-
-TEST_CASE("what is open in a table is joined only with --open") {
-    const TemporaryFolder folder;
-    REQUIRE(dumbbell({"critical", "3:6", "--out", folder / "a.tsv"}).code == 0);
-    REQUIRE(dumbbell({"critical", "7:9", "--budget", "0s", "--out", folder / "b.tsv"}).code == 3);
-    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--range", "3:9"}, "whole.tsv").code == 3);
-    CHECK_FALSE(std::filesystem::exists(folder / "whole.tsv"));
-    CHECK(join(folder, {"a.tsv", "b.tsv"}, {"--open", "--range", "3:9"}, "whole.tsv").code == 3);
-    CHECK_THAT(contents(folder / "whole.tsv"), Contains("9\topen\t-\t-\t"));
 }
 
 TEST_CASE("an input is never replaced, and what is joined can go to the standard output") {

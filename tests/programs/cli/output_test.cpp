@@ -113,20 +113,13 @@ TEST_CASE("below /dev and /proc nothing is written, also through links") {
 
 TEST_CASE("a read-only file is not replaced") {
     const TemporaryFolder folder;
-    const std::string kept = folder / "kept.dbc", report = folder / "kept.xml",
-                      certificate = DUMBBELL_PROJECT "/certificates/q-10.dbc";
-    for (const std::string& file : {kept, report}) {
-        write_file(file, "mine");
-        REQUIRE(::chmod(file.c_str(), 0444) == 0);
-    }
-    const Outcome proved = dumbbell({"certify", "10", "--out", kept});
-    const Outcome verified = verifier({"--junit", report, certificate});
-    for (const Outcome& result : {proved, verified}) {
-        CHECK(result.code == 2);
-        CHECK_THAT(result.err, Contains("it is read-only; give another name"));
-    }
+    const std::string kept = folder / "kept.dbc";
+    write_file(kept, "mine");
+    REQUIRE(::chmod(kept.c_str(), 0444) == 0);
+    const Outcome result = dumbbell({"certify", "10", "--out", kept});
+    CHECK(result.code == 2);
+    CHECK_THAT(result.err, Contains("it is read-only; give another name"));
     CHECK(contents(kept) == "mine");
-    CHECK(contents(report) == "mine");
 }
 
 TEST_CASE("the output - has the data alone, and what is said goes to stderr", "[wings]") {

@@ -14,8 +14,7 @@ const TemporaryFolder& certificates() {
     static const bool made = [] {
         REQUIRE(dumbbell({"certify", "10", "--out", "ten.dbc"}, folder.path()).code == 0);
         REQUIRE(dumbbell({"certify", "1:12", "--out", "stairs.dbc"}, folder.path()).code == 0);
-        REQUIRE(dumbbell({"certify", "1:5", "--scene", "wedge", "--out", "wedge.dbc"}, folder.path()).code ==
-                0);
+        REQUIRE(dumbbell({"certify", "--coin", "--out", "coin.dbc"}, folder.path()).code == 0);
         REQUIRE(dumbbell({"trace", "10", "--phi", "0:3", "--phidot", "1", "--y", "2", "--ydot=-2:1",
                           "--subdivide", "--max-boxes", "300", "--out", "falling.dbc"},
                          folder.path())
@@ -82,7 +81,7 @@ TEST_CASE("a certificate of another kind is refused with the command that makes 
     CHECK_THAT(refusal({"staircase", "ten.dbc"}), Contains("needs a range"));
     CHECK_THAT(refusal({"orbit", "adiabatic.dbc"}), Contains("dumbbell certify RATIO"));
     CHECK_THAT(refusal({"orbit", "falling.dbc"}), Contains("dumbbell certify RATIO"));
-    CHECK_THAT(refusal({"orbit", "wedge.dbc"}), Contains("scene wedge"));
+    CHECK_THAT(refusal({"orbit", "coin.dbc"}), Contains("scene body"));
 }
 
 TEST_CASE("a range needs --ratio, and one that it has, and nothing else takes it", "[wings]") {

@@ -1,5 +1,5 @@
 // The table of commands and options, as `dumbbell generate reference` prints it: what the tests of help, man
-// page, completion and bad input take their commands and options from.
+// page and bad input take their commands and options from.
 #pragma once
 
 #include "programs.hpp"

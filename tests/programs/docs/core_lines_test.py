@@ -41,10 +41,9 @@ OUTSIDE = {
     "leap": LARGE,
     "full": OTHER_SECTION,
     "plain": OTHER_SECTION,
-    "wedge": OTHER_SECTION,
-    "hybrid": OTHER_SECTION,
     "body": OTHER_SECTION,
     "tangents": OTHER_SECTION,
+    "cells": OTHER_SECTION,
 }
 
 

@@ -14,8 +14,6 @@ run cmake --install "$build" --prefix "$prefix"
 expect "installs" is "$code" 0
 expect "both programs are there" test -x "$prefix/bin/dumbbell-verify" -a -x "$prefix/bin/dumbbell"
 expect "both man pages are there" test -s "$prefix/share/man/man1/dumbbell.1" -a -s "$prefix/share/man/man1/dumbbell-verify.1"
-expect "so are the completions" test -s "$prefix/share/bash-completion/completions/dumbbell" \
-    -a -s "$prefix/share/bash-completion/completions/dumbbell-verify"
 expect "the pages find the certificates that they name" test -s "$prefix/share/doc/dumbbell/certificates/q-10.dbc"
 # What cpack makes of the pages, in a folder with the names that it gives.
 mkdir -p -- "$scratch/staged/programs/usr"

@@ -25,10 +25,10 @@ export const long = shipped("stairs-1-1e6.dbc.gz");
 export function certificates(place) {
     const starts = place("starts.dbc");
     dumbbell("trace", 10, "--phi", "0:3", "--phidot", "-1/2:1/2", "--y", "3/2", "--ydot", "-1", "--subdivide", "--max-boxes", 2000, "--out", starts);
+    const solid = place("solid.dbc");
+    dumbbell("trace", 10, "--phi", "0:3", "--phidot", "-1/2:1/2", "--y", "3/2:2", "--ydot", "-1", "--subdivide", "--max-boxes", 500, "--out", solid);
     const incoming = place("incoming.dbc");
     dumbbell("trace", 10, "--incoming", "--subdivide", "--max-boxes", 2000, "--out", incoming);
-    const adiabatic = place("adiabatic.dbc");
-    dumbbell("adiabatic", "--delta", "0.01", "--phi-margin", "0.5", "--out", adiabatic);
     const fine = place("fine.dbc");
     dumbbell("certify", "4.6:4.7", "--gap", "1e-40", "--out", fine);
     return {
@@ -37,13 +37,11 @@ export function certificates(place) {
         one: shipped("q-1.dbc"),
         full: shipped("full-100.dbc.gz"),
         plain: shipped("full-plain-10.dbc.gz"),
-        wedge: shipped("wedge-1-100.dbc"),
-        hybrid: shipped("hybrid-1-100.dbc"),
         coin: shipped("coin.dbc"),
         rod: shipped("rod-10.dbc.gz"),
         starts,
+        solid,
         incoming,
-        adiabatic,
         fine,
     };
 }

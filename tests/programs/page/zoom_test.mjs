@@ -130,14 +130,14 @@ onPage("a typed ratio is gone to", files.stairs, async (page) => {
     assert.match(await go("1/50"), /N\(q\) = 8/); // the masses swapped
 });
 
-onPage("the axes of a box of initial conditions can be turned, and cut", files.adiabatic, async (page) => {
+onPage("the axes of a box of initial conditions can be turned, and cut", files.solid, async (page) => {
     const canvas = page.locator("#file-1 .map canvas").first();
     const before = await pixels(canvas);
-    await page.getByLabel("Across").selectOption({ label: "v" });
+    await page.getByLabel("Across").selectOption({ label: "y" });
     await settled(page);
     const turned = await pixels(canvas);
     assert.notDeepEqual(before.bytes, turned.bytes);
-    const slider = page.getByLabel("cut at u");
+    const slider = page.getByLabel("cut at phi");
     await slider.focus();
     await slider.press("End");
     await settled(page);

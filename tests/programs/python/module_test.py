@@ -44,7 +44,7 @@ KINDS = [None, True, numpy.array(True), object(), b"10", bytearray(b"10"), [10],
 
 def calls():
     """Each argument of each function and method, but the names of files."""
-    ten, options = dumbbell.certify(10), {"section": "turning", "gap": "1e-6", "jobs": 1, "budget": 1, "scene": "dumbbell"}
+    ten, options = dumbbell.certify(10), {"section": "turning", "gap": "1e-6", "jobs": 1, "budget": 1}
     for name, given in {"certify": {"q": 10, **options}, "critical": {"n": 4, "digits": 5, "budget": 1}, "law": {"q": 10}, "mean_collisions": {"q": 10},
                         "certify_many": {"ratios": [10], **options}, "trace": {"q": 10, **START, "digits": 0},
                         "certify_starts": {"q": 10, **START, "boxes": 5, "digits": 0, "jobs": 1, "budget": 1},
@@ -191,13 +191,13 @@ class WhatComesOut(unittest.TestCase):
         self.assertEqual(stairs._repr_svg_(), stairs.svg())
         self.assertEqual(len({stairs, dumbbell.certify((1, 100))}), 1)
 
-    def test_bodies_and_wedges(self):
-        coin, wedge = dumbbell.certify(coin=True), dumbbell.certify(100, scene="wedge")
-        self.assertEqual((coin.scene, coin.ratio, coin.rho, wedge.scene, wedge.rho), ("body", (4, 4), 1, "wedge", None))
+    def test_bodies(self):
+        coin, ten = dumbbell.certify(coin=True), dumbbell.certify(10)
+        self.assertEqual((coin.scene, coin.ratio, coin.rho, ten.scene, ten.rho), ("body", (4, 4), 1, "dumbbell", None))
         self.assertEqual(dumbbell.certify(10, rod_mass=Fraction(1, 100), section="plain"), dumbbell.Certificate(ROOT / "certificates/rod-10.dbc.gz"))
-        self.assertTrue(coin.verify() and wedge.verify())
+        self.assertTrue(coin.verify())
         self.assertIsNone(coin._repr_svg_())
-        for wrong in ({}, {"q": 10, "coin": True}, {"rho": 1}, {"rod_mass": 1}, {"q": 10, "scene": "body"}, {"coin": True, "scene": "wedge"}):
+        for wrong in ({}, {"q": 10, "coin": True}, {"rho": 1}, {"rod_mass": 1}):
             self.assertRaises(dumbbell.InputError, dumbbell.certify, **wrong)
 
     def test_what_is_open_says_so(self):

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/writer.hpp"
+#include "flight/paper_bound.hpp"
 #include "reference.hpp"
 #include "scale.hpp"
 #include "temporary_folder.hpp"
@@ -42,6 +43,19 @@ TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by tangents
             CHECK(piece.cover.symmetric == by_plain);
             CHECK(piece.witness->place == Place::corner);
         }
+    }
+}
+
+TEST_CASE("Symmetric bodies step as the source paper's bound does, at both ends of every exact piece") {
+    const auto pieces = certify(of_body(1, 1, 100));
+    CHECK(undecided_share(pieces) < Rational(1, 10000));
+    for (const ProvedPiece& proved : pieces) {
+        const Piece& piece = proved.piece;
+        CAPTURE(piece.q_lo, piece.q_hi);
+        REQUIRE(piece.upper.has_value());
+        CHECK(*piece.upper - piece.lower <= 1);
+        CHECK(flight::paper_bound(piece.q_lo) - 1 == piece.lower);
+        CHECK(flight::paper_bound(piece.q_hi) - 1 == *piece.upper);
     }
 }
 

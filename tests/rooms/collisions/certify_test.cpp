@@ -155,19 +155,3 @@ TEST_CASE("the undecided share is the exact share of the pieces that are not exa
     const Rational nearly = 1 + at("1e-300");
     CHECK(undecided_share({proved(1, nearly, 3, 2), proved(nearly, 2, 3, 3)}) == at("1e-300"));
 }
-
-TEST_CASE("the wedges are decided however near a tie is, on both sides") {
-    // At q = 3 pi/gamma is 3.
-    for (const char* distance : {"1e-59", "1e-62", "1e-100", "1e-999"}) {
-        CertifyRequest request;
-        request.claim.system.section = Section::wedge;
-        for (const auto& [q, n] : {std::pair(3 - at(distance), 3), std::pair(3 + at(distance), 4)}) {
-            CAPTURE(distance, n);
-            request.claim.range = {q, q};
-            const auto pieces = certify(request);
-            REQUIRE(pieces.size() == 1);
-            CHECK(pieces.front().piece.upper == n);
-            CHECK(pieces.front().piece.lower == n);
-        }
-    }
-}

@@ -44,8 +44,8 @@ void check_leaves(Chart chart, const std::vector<Axis>& axes) {
     }
 }
 
-constexpr auto root_charts = {Chart::bridge,        Chart::light,           Chart::contact, Chart::departure,
-                              Chart::plain_contact, Chart::plain_departure, Chart::wedge};
+constexpr auto root_charts = {Chart::bridge,    Chart::light,         Chart::contact,
+                              Chart::departure, Chart::plain_contact, Chart::plain_departure};
 
 }  // namespace
 
@@ -62,7 +62,7 @@ TEST_CASE("the root boxes are the prover's") {
 
 TEST_CASE("the leaf boxes are the prover's") {
     for (const Chart chart : root_charts) {
-        check_leaves(chart, chart == Chart::wedge ? wedge_axes : three_axes);
+        check_leaves(chart, three_axes);
     }
 }
 
@@ -81,8 +81,4 @@ TEST_CASE("an axis is split at most 400 times above a node, however many leaves 
         CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 3, comb(401, axis)), InputError);
         CHECK_THROWS_AS(leaf_boxes(Chart::bridge, 2, 3, comb(100000, axis)), InputError);
     }
-}
-
-TEST_CASE("the chart wedge has no position") {
-    CHECK_THROWS_AS(leaf_boxes(Chart::wedge, 2, 2, {split(Axis::position), leaf(), leaf()}), InputError);
 }

@@ -146,12 +146,12 @@ TEST_CASE("a range with more than a million steps is refused with advice") {
 }
 
 TEST_CASE("a step that is known exactly, at the left end of the range, is taken there") {
-    const auto plan = plan_staircase({.range = {3, 10}, .system = {Section::wedge}, .gap = {1, 1000}}, 3)
-                          .pieces;  // ceil(pi/gamma) is 3 at q = 3
+    const auto plan = plan_staircase({.range = {3, 10}, .system = {Section::body, 1}, .gap = {1, 1000}}, 3)
+                          .pieces;  // ceil(pi/corner) is 3 at Q = 3
     REQUIRE(plan.size() > 2);
     CHECK((plan[0].q_lo == 3 && plan[0].q_hi == 3 && plan[0].lower == 3 && plan[0].upper == 3));
     CHECK((plan[1].q_lo == 3 && plan[1].q_hi > 3 && plan[1].lower == 3 && plan[1].upper == 4));
-    CHECK(plan_staircase({.range = {2, 3}, .system = {Section::wedge}, .gap = {1, 1000}}, 2)
+    CHECK(plan_staircase({.range = {2, 3}, .system = {Section::body, 1}, .gap = {1, 1000}}, 2)
               .pieces.back()
               .upper == 3);
 }

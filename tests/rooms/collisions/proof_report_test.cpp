@@ -124,25 +124,6 @@ TEST_CASE("ratios are printed exactly, so that no two of them look alike") {
                          Contains("4.60333884875170036 : 5 "));
 }
 
-TEST_CASE("the wedges have no bound of the dumbbell, and other words") {
-    for (const Section section : {Section::wedge, Section::hybrid}) {
-        SampleReport wedge(three_pieces());
-        wedge.report.claim.system.section = section;
-        const std::string text = to_text(wedge.report);
-        CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "boxes", "time"});
-        CHECK(line_of(text, "4 :") == Words{"4", ":", "4.6033367", "3", "2", "0.500", "s"});
-        CHECK_THAT(text, !Contains("floor") && Contains("wedge hits its walls more than N times"));
-        const auto json = parsed(to_json(wedge.report));
-        for (const auto& entry : json.at("pieces")) {
-            CHECK(entry.at("paper_bound").is_null());
-        }
-        SampleReport single({piece(4, 4, 4, 4)});
-        single.report.claim.system.section = section;
-        CHECK_THAT(to_text(single.report), Contains("wedge hits its walls more than 4 times, and some "
-                                                    "trajectory hits them 4 times."));
-    }
-}
-
 TEST_CASE("a proof of the full section says that the heavy mass hits the floor at most once") {
     SampleReport full({piece(5, 11, 4, 4)});
     CHECK_THAT(to_text(full.report), !Contains("heavy mass"));

@@ -33,6 +33,5 @@ inline Tree random_tree(long leaves, const std::vector<Axis>& axes, unsigned see
 
 inline const std::vector<Axis> three_axes{Axis::position, Axis::slope, Axis::ratio};
 inline const std::vector<Axis> plane_axes{Axis::position, Axis::slope};
-inline const std::vector<Axis> wedge_axes{Axis::slope, Axis::ratio};
 
 }  // namespace dumbbell_test

@@ -74,43 +74,9 @@ TEST_CASE("What is not done within the budget stays open") {
     }
 }
 
-TEST_CASE("The time is estimated from the number of flights") {
-    using namespace std::chrono_literals;
-    CHECK(estimated_time(request(4, 4)) < 10s);
-    CHECK(estimated_time(request(1'000'000'000'000, 1'000'000'000'000)) < 10min);  // by macro steps
-    CHECK(estimated_time(request(3, 1'000'000)) > 24h);
-}
-
 TEST_CASE("The first half of a range takes a quarter of the time, as orbits get longer") {
     CHECK(share_of_first(9'999, request(3, 20'000)) == Approx(0.25).margin(0.001));
     CHECK(share_of_first(1, request(3, 4)) == Approx(3.0 / 7));
     CHECK(share_of_first(18, request(3, 20)) == 1);
     CHECK(share_of_first(5, request(1'000'000, 1'000'009)) == Approx(0.5).margin(0.01));  // by macro steps
-}
-
-TEST_CASE("The parts of a range follow one another, and cost about as much") {
-    for (const long of : {1L, 2L, 7L, 64L}) {
-        long next = 3;
-        double least = 1e9, most = 0;
-        for (long number = 1; number <= of; ++number) {
-            CAPTURE(of, number);
-            const Request part = part_of({number, of}, 3, 10'000);
-            REQUIRE(part.first == next);
-            REQUIRE(part.last >= part.first);
-            next = part.last + 1;
-            // The measure in critical/range.cpp.
-            const double cost = static_cast<double>(part.last - part.first + 1) *
-                                (static_cast<double>(part.first + part.last) / 2 + 30);
-            least = std::min(least, cost);
-            most = std::max(most, cost);
-        }
-        CHECK(next == 10'001);
-        CHECK(most < 1.1 * least);
-    }
-}
-
-TEST_CASE("Parts of long orbits have as many of them") {
-    const Request first = part_of({1, 2}, 30'001, 30'100), last = part_of({2, 2}, 30'001, 30'100);
-    CHECK(first.last - first.first == 49);
-    CHECK(last.last - last.first == 49);
 }

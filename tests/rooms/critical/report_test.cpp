@@ -114,15 +114,3 @@ TEST_CASE("JSON: numbers as decimals in strings, the enclosure rounded outward")
     CHECK(five.at("status") == "open");
     CHECK_FALSE(five.contains("q_c"));
 }
-
-TEST_CASE("a part says so, and of what") {
-    Report report = sample();
-    CHECK(parsed(to_json(report)).at("part").is_null());
-    report.request.part = CountPart{{7, 64}, 3, 10'000};
-    CHECK_THAT(to_text(report), Contains("Part 7 of 64 of the critical ratios for N from 3 to 10000.\n"));
-    const auto part = parsed(to_json(report)).at("part");
-    CHECK(part.at("number") == 7);
-    CHECK(part.at("of") == 64);
-    CHECK(part.at("first") == 3);
-    CHECK(part.at("last") == 10'000);
-}

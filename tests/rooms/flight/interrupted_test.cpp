@@ -6,7 +6,6 @@
 #include "flight/departure.hpp"
 #include "flight/extremal_orbit.hpp"
 #include "flight/plain.hpp"
-#include "flight/wedge.hpp"
 
 using namespace dumbbell;
 using namespace dumbbell::flight;
@@ -61,15 +60,5 @@ TEST_CASE("Interrupted counts of departures and of plain boxes are undecided") {
           interrupted_cap + 1);
     const PlainDeparture<Interval> from{steep.x, steep.sin_x, steep.kappa};
     CHECK(plain_later_collisions(from, flight::Body<Interval>::massless(r), interrupted_cap, Patience(0)) ==
-          interrupted_cap + 1);
-}
-
-TEST_CASE("Interrupted counts in the wedge: the exact one says nothing, the rounded one is undecided") {
-    const Rational r(1, 10'000);
-    const auto all = wedge_count(0, r, interrupted_cap);
-    REQUIRE(all.has_value());
-    CHECK(*all > 50);
-    CHECK_FALSE(wedge_count(0, r, interrupted_cap, Patience(50)).has_value());
-    CHECK(wedge_count_at_most(Interval(0), Interval(1e-8), interrupted_cap, Patience(0)) ==
           interrupted_cap + 1);
 }

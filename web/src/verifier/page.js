@@ -8,7 +8,7 @@ let files = [];
 const results = h("section", { class: "results", "aria-label": "Results", hidden: true });
 
 const bounds = [["--max", "at most"], ["--min", "at least"], ["--exactly", "exactly"]];
-const scenes = [["dumbbell", "the dumbbell"], ["hybrid", "the hybrid wedge"], ["wedge", "the straight wedge"], ["body", "a rigid body"]];
+const scenes = [["dumbbell", "the dumbbell"], ["body", "a rigid body"]];
 const budgets = [["30s", "30 s"], ["10m", "10 min"], ["2h", "2 h"]];
 
 /// The value of the option --ID.

@@ -16,8 +16,7 @@
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
 
-/// The dumbbell, a model wedge of the source paper, or a rigid body.
-enum class Scene { dumbbell, hybrid, wedge, body };
+enum class Scene { dumbbell, body };
 
 /// What a certificate covers: the turning collisions and the contacts with the bridge, or all collision
 /// states (`plain`: without monotonicity), up to ratios of about 1000. N(q) is the same.
@@ -28,9 +27,8 @@ struct CertifyOptions {
     int jobs = 1;              ///< threads, 1 to 1024; the result does not depend on it
     std::optional<std::chrono::duration<double>> budget =
         std::nullopt;                    ///< what is not decided by then is left open
-    Section section = Section::turning;  ///< of the dumbbell; others have their own
+    Section section = Section::turning;  ///< of the dumbbell; of a body plain, or else its tangents
     Stopped stopped = {};
-    Scene scene = Scene::dumbbell;  ///< of a mass ratio
 };
 
 /// Rigid bodies that move in a plane (proofs/body.md): rho = d2/d1 of the distances of the contacts from the

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "verify/program/together.hpp"
 
 using dumbbell_verify::Collisions;
 
@@ -126,55 +125,4 @@ TEST_CASE("gaps that touch are one, and end with the range in question") {
     CHECK_FALSE(proves({{2, 3, 5, 3}, {3, 9, 4, 4}}, 2, 9, none, none, mpq_class(1, 2)));
     CHECK(proves({{2, 3, 4, 3}, {3, 4, 5, 4}}, 3, 3, none, none, mpq_class(0)));  // both say 4
     CHECK_FALSE(proves({{3, 3, 4, 3}}, 3, 3, none, none, mpq_class(1, 2)));
-}
-
-TEST_CASE("pieces in several files say what they say in one") {
-    std::mt19937 random(7);
-    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-    int proved = 0;
-    for (int i = 0; i < 20'000; ++i) {
-        std::vector<Piece> pieces;
-        for (int a = 1 + below(2); pieces.size() < 6; a = pieces.back().b) {
-            const auto lower = static_cast<std::uint64_t>(below(3));
-            const auto upper = below(5) > 0 ? std::optional(lower + below(3)) : std::nullopt;
-            pieces.push_back({a, a + below(3), upper, lower});
-        }
-        Collisions asked;
-        if (below(3) > 0) {
-            const int lo = 1 + below(8);
-            asked.ratios.emplace(lo, lo + below(5));
-        }
-        if (below(3) > 0) asked.most = 1 + below(4);
-        if (below(3) > 0) asked.least = below(3);
-        // Without a range files of a single ratio would know more together than their pieces in one.
-        if (asked.ratios && below(3) == 0) asked.gap = mpq_class(below(4), 2);
-        if (asked.ratios && below(3) == 0) asked.gaps_at_most = below(3);
-        const auto file = [&](std::size_t from, std::size_t to) {
-            Collisions claim = asked;
-            claim.lo = pieces[from].a;
-            claim.hi = pieces[to - 1].b;
-            for (std::size_t k = from; k < to; ++k)
-                claim.add(pieces[k].a, pieces[k].b, pieces[k].upper, pieces[k].lower);
-            return claim;
-        };
-        const Collisions whole = file(0, 6);
-        const std::size_t cut = 1 + random() % 5, again = cut + random() % (6 - cut);
-        Collisions all = file(0, cut);
-        if (again > cut) append(all, file(cut, again));
-        append(all, file(again, 6));
-        INFO(i);
-        REQUIRE(all.missing() == whole.missing());
-        REQUIRE((all.lo == whole.lo && all.hi == whole.hi));
-        REQUIRE((all.upper == whole.upper && all.lower == whole.lower));
-        const auto [from, to] = whole.question();
-        if (from < to && whole.lo <= from && to <= whole.hi) {
-            const auto cells = gaps_by_cells(pieces, from.get_num().get_si(), to.get_num().get_si());
-            for (const auto& said : {all.whole(), whole.whole()})
-                REQUIRE((said.gaps == cells.gaps && said.widest == cells.widest));
-        }
-        REQUIRE((all.pieces == 6 && all.gaps == whole.gaps && all.open == whole.open));
-        proved += all.missing().empty() ? 1 : 0;
-    }
-    CHECK(proved > 2000);
-    CHECK(proved < 16'000);
 }

@@ -263,26 +263,6 @@ TEST_CASE("step edges: a ratio beyond the range of doubles is judged in MPFR") {
     }
 }
 
-TEST_CASE("step edges: the wedge has no rounding: what is equal is equal") {
-    const auto of = [](const std::string& words) {
-        return leaf_rows::judged(leaf_rows::parsed("1 wedge turning wedge " + words));
-    };
-    // 1 = r lambda0 at q = 2, where lambda0 (1 - r) is 1 only; 2 = lambda0 (1 - r) at q = 5.
-    CHECK(of("outside 0 0 0 2 0 0 2 4 2 2") == "certified");
-    CHECK(of("outside 0 0 0 2 0 0 2047/1024 4 2 2") == "a reason of `outside`");
-    CHECK(of("outside 0 0 0 2 0 0 5/2 4 5 5") == "a reason of `outside`");
-    CHECK(of("outside 0 0 0 2 0 0 2561/1024 4 5 5") == "certified");
-    // sigma X at slope 0 exactly: q = 5, lambda = 5/2.
-    CHECK(of("witness 0 1 2 4 0 0 5/2 5/2 5 5") == "certified");
-    CHECK(of("witness 0 1 2 4 0 0 2561/1024 2561/1024 5 5") ==
-          "0 < 1 + 2 r lambda - r, 0 <= 2 + r lambda - lambda");
-    // X and sigma X have one later collision each, and leave steeply: q = 5, lambda = mu = 1.
-    CHECK(of("witness 0 1 1 3 0 0 1 1 5 5") == "certified");
-    CHECK(of("witness 0 2 1 3 0 0 1 1 5 5") == "a <= G_w for X");
-    CHECK(of("witness 0 1 2 3 0 0 1 1 5 5") == "b <= G_w for sigma X");
-    CHECK(of("meets 0 1 2 4 0 0 5/2 5/2 5 5") != "certified");  // what a witness says, no leaf says
-}
-
 TEST_CASE("step edges: where D may be 0 it is not decided whether a departure returns") {
     // After few bits D holds numbers of both signs: a state of the box may return, and hit once more.
     for (const std::string leaf :
@@ -373,37 +353,6 @@ TEST_CASE("step edges: beyond pi nothing is known of the bridge") {
         for (const DoublePair& x : {sine, cosine}) CHECK((x.lo == -1 && x.hi == 1));
     }
     CHECK(bridge.trig(bridge.half_turn.lo).cos.hi < -0.999);
-}
-
-TEST_CASE("step edges: the wedge's limits are what they say") {
-    // q = 2^k, lambda = 1: after one collision kappa = (3 q - 1) / (q (q - 3)), of 3 k + 2 bits.
-    const auto steps = [](unsigned long k) {
-        leaf_rows::SectionLeaf one{&wedge(), {}};
-        const mpq_class q(mpz_class(mpz_class(1) << k));
-        one.leaf.box = {{0, 1, q}, {0, 1, q}};
-        one.leaf.opcode = count_leaf;
-        one.leaf.claimed = 1;
-        return one;
-    };
-    CHECK(leaf_rows::judged(steps(1'333'332)) == "G_w <= a for X");
-    CHECK(leaf_rows::judged(steps(1'333'333)) == "exact numbers of more than 4,000,000 bits");
-    // Each collision is charged by the sizes of its factors, here 11 words each.
-    const auto small = steps(640);
-    const std::uint64_t before = Meter::done();
-    CHECK(leaf_rows::judged(small) == "G_w <= a for X");
-    CHECK(Meter::done() - before == 1024 + 16 * 11 * 11);
-    const auto count = [](const std::string& leaf) {
-        return said_of_leaf("1 wedge turning wedge count 0 " + leaf);
-    };
-    CHECK(count("10000 0 10001 0 0 0 0 2 2") == "certified");
-    CHECK(count("0 10000 10001 0 0 2 2 2 2") == "certified");
-    CHECK(count("10001 0 10002 0 0 0 0 2 2") == "a + b beyond 10,000 in a wedge");
-    CHECK(count("0 10001 10002 0 0 2 2 2 2") == "a + b beyond 10,000 in a wedge");
-}
-
-TEST_CASE("step edges: in the wedge a sigma X without a slope is counted from slope 0") {
-    CHECK(said_of_leaf("1 wedge turning wedge count 0 1 1 3 0 0 0 0 1 1") == "certified");  // 2 r lambda = 0
-    CHECK(said_of_leaf("1 wedge turning wedge witness 0 1 1 3 0 0 -1 -1 5 5") == "0 <= lambda");
 }
 
 TEST_CASE("enclosures of the same thing that exclude each other certify nothing, whatever they are of") {

@@ -72,7 +72,7 @@ TEST_CASE("a named pipe that nobody writes to is refused at once") {
     const std::string pipe =
         std::filesystem::temp_directory_path() / ("dumbbell_verify_pipe" + std::to_string(::getpid()));
     REQUIRE(std::system(("rm -f " + pipe + "; mkfifo " + pipe).c_str()) == 0);
-    for (const std::string& options : {pipe, "--together " + pipe, "--claims " + pipe}) {
+    for (const std::string& options : {pipe, "--claims " + pipe}) {
         const Run r = run(options, "timeout 1000 ");
         INFO(options << r.out << r.err);
         CHECK(r.code == 2);

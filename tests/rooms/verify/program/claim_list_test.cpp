@@ -34,7 +34,7 @@ TEST_CASE("a list of claims: each row is proved by its file, or it is rejected")
     const Run least = run_list(file.path() + "\t--ratio 10 --min 1\n");  // such a claim is one, proved or not
     CHECK(has(least.out, " code=claim-not-proved not proved: at least 1 collisions"));
     CHECK(run_list(four + "\n").out.starts_with(file.path() + "\n  Proved: "));  // one file alone: in full
-    CHECK(run_list(file.path() + "\t--scene wedge --ratio 10 --max 4\n").code == 1);
+    CHECK(run_list(file.path() + "\t--coin --max 4\n").code == 1);
     CHECK(run_list(file.path() + "\t--claim initial-conditions --ratio 10 --max 4\n").code == 1);
     const Run json = run_list(four + "\n" + three + "\n", "--json --jobs 2 --precision 60");
     CHECK(has(json.out,

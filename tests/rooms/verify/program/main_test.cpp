@@ -139,11 +139,10 @@ TEST_CASE("a demand is proved or the file is rejected") {
     CHECK(code("--ratio 1/10:10e-2") == 0);
     CHECK(code("--ratio 10.0000000000000000000000000000000001") == 1);
     CHECK(code("--scene dumbbell") == 0);
-    CHECK(code("--scene hybrid") == 1);
+    CHECK(code("--scene body") == 1);
     CHECK(has(run("--max 3 " + file.path()).last(), "code=claim-not-proved"));
-    const std::string both = "--scene hybrid --claim law ";  // the scene is compared first
-    CHECK(
-        run(both + file.path()).last().ends_with("the scene is dumbbell, and hybrid was demanded (--scene)"));
+    const std::string both = "--scene body --claim law ";  // the scene is compared first
+    CHECK(run(both + file.path()).last().ends_with("the scene is dumbbell, and body was demanded (--scene)"));
     CHECK(run("--claim law " + file.path())
               .last()
               .ends_with("code=claim-not-proved the claim is collisions, and law was demanded (--claim)"));
@@ -152,7 +151,7 @@ TEST_CASE("a demand is proved or the file is rejected") {
         CHECK(code("--claim " + std::string(kind)) == 1);
     CHECK(code("--claim other") == 2);
     const File false_one(mutated(ten(), "upper 4", "upper 3"));  // that is what is said of it
-    CHECK(run("--scene hybrid " + false_one.path()).last().ends_with("count not certified: 1 + a + b <= U"));
+    CHECK(run("--scene body " + false_one.path()).last().ends_with("count not certified: 1 + a + b <= U"));
     CHECK(has(run("--claim collisions --max 3 " + file.path()).last(), "not proved: at most 3 "));
     const File stairs(closed(make::header("2/1", "12/1", 3) + open_piece("2/1", "10/1") +
                              make::piece(10, mpq_class(21, 2), 4, 0, "") + open_piece("21/2", "12/1")));
@@ -169,27 +168,12 @@ TEST_CASE("a demand is proved or the file is rejected") {
               .last()
               .ends_with(" verified=1 rejected=0 limit=0 "
                          "unsupported=0 unreadable=0 nothing-proved=1 open=4 exit=3"));
-    CHECK(run("--together " + stairs.path()).last().starts_with("s OPEN "));
-    CHECK(run("--ratio 10:21/2 --together " + stairs.path()).code == 0);
     CHECK(run("--ratio 10:21/2 " + stairs.path())
               .last()
               .ends_with(" demanded-ratio=10/1:21/2 not-demanded=max,min,gap,gaps"));
     CHECK(run("--ratio 10:21/2 " + stairs.path()).code == 0);
     CHECK(run("--ratio 10:10.6 " + stairs.path()).code == 3);
     CHECK(run("--min 0 " + stairs.path()).code == 0);
-}
-
-TEST_CASE("without a claim a file of another scene is verified, and a claim is about the dumbbell") {
-    const std::string wedge = make::shipped("wedge-1-100.dbc");
-    CHECK(run(wedge).last().starts_with("s VERIFIED scene=wedge ratio=1/1:100/1 upper=16 "));
-    CHECK(has(run(wedge), "no trajectory in the straight wedge hits its walls more than 16 times"));
-    CHECK(run("--scene wedge --max 16 " + wedge)
-              .last()
-              .ends_with(" max=16 demanded-scene=wedge not-demanded=ratio,min,gap,gaps"));
-    for (const char* claim : {"--max 16", "--min 1", "--exactly 16", "--ratio 2", "--claim collisions"})
-        CHECK(run(claim + (" " + wedge))
-                  .last()
-                  .ends_with(" the scene is wedge, and dumbbell was demanded (--scene)"));
 }
 
 TEST_CASE("what another system did to a text is named, with what mends it") {
@@ -258,22 +242,13 @@ TEST_CASE("wrong usage is one line on stderr and exit code 2") {
              "--min 1 --exactly 4 F",
              "--max 4 --max 5 F",
              "--ratio 10 --ratio=11 F",
-             "--scene dumbbell --scene wedge F",
-             "--junit report F",
-             "--junit F",
-             "--junit .xml F",
-             "--junit /nonexistent/report.xml F",
+             "--scene dumbbell --scene body F",
              "--claims /nonexistent",
              "--claims /",
              "--claims list F",
              "--claims list --max 4",
              "--lemma 4.1 F F",
              "--scene foo F",
-             "--together",
-             "--together=1 F",
-             "--together --claims list",
-             "--together --explain 1:bridge F",
-             "--together --shares F",
          }) {
         std::string arguments = options;
         if (arguments.ends_with(" F")) arguments.replace(arguments.size() - 1, 1, file.path());

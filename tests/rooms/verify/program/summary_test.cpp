@@ -1,4 +1,4 @@
-// What programs read: the verdict line, the line of several files, the JSON object, the JUnit report, the
+// What programs read: the verdict line, the line of several files, the JSON object, the
 // codes.
 #include "verify/program/summary.hpp"
 
@@ -6,7 +6,6 @@
 #include "verify/core/section.hpp"
 #include "verify/program/claim_options.hpp"
 #include "verify/program/json.hpp"
-#include "verify/program/junit.hpp"
 #include "verify/program/sentence.hpp"
 
 using namespace dumbbell_verify;
@@ -195,31 +194,4 @@ TEST_CASE("summary: the work is told in seconds, rounded up") {
     CHECK(json(r).find(R"("work":12.001,)") != std::string::npos);
     r.proof.work = 999 * (dumbbell_verify::units_per_second / 1000);
     CHECK(json(r).find(R"("work":0.999,)") != std::string::npos);
-}
-
-TEST_CASE("summary: a JUnit report, whole") {
-    const std::string text = junit({{"a", Verdict::verified, "", "s VERIFIED", 0.5},
-                                    {"b<", Verdict::rejected, "why", "s REJECTED", 1},
-                                    {"c", Verdict::limit, "much", "s LIMIT", 0}},
-                                   0, 1.5);
-    CHECK(text ==
-          R"(<?xml version="1.0" encoding="UTF-8"?>
-<testsuites>
-  <testsuite name="dumbbell-verify" package="dumbbell-verify" id="0" timestamp="1970-01-01T00:00:00" hostname="localhost" tests="3" failures="1" errors="1" time="1.500">
-    <properties/>
-    <testcase name="a" classname="dumbbell-verify" time="0.500"/>
-    <testcase name="b&lt;" classname="dumbbell-verify" time="1.000">
-      <failure type="REJECTED" message="why">s REJECTED</failure>
-    </testcase>
-    <testcase name="c" classname="dumbbell-verify" time="0.000">
-      <error type="LIMIT" message="much">s LIMIT</error>
-    </testcase>
-    <system-out>s VERIFIED
-s REJECTED
-s LIMIT
-</system-out>
-    <system-err/>
-  </testsuite>
-</testsuites>
-)");
 }

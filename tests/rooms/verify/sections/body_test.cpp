@@ -207,7 +207,7 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     for (const char* wrong :
          {"--scene body --max 4", "--rho 1 --max 4", "--inertia 4 --max 4", "--inertia 4 --rho 2 --max 4",
           "--inertia 4 --rho 1:0.5 --max 4", "--rho 0", "--coin --rho 1", "--coin=1", "--coin --rod-mass 1",
-          "--rod-mass 1", "--ratio 1:2 --rod-mass 1", "--coin --scene wedge", "--coin --claim incoming"})
+          "--rod-mass 1", "--ratio 1:2 --rod-mass 1", "--coin --scene dumbbell", "--coin --claim incoming"})
         CHECK(asked(wrong).code == 2);
     for (const char* ratio : {"--rho 1 ", "--inertia 4 ", "--coin ", "--scene body "})
         for (const char* value : {"4", "1/4"})
@@ -221,15 +221,4 @@ TEST_CASE("scene body: a bound is demanded of a body, and repeated") {
     CHECK(run("--claims " + list.path()).code == 0);
     const File short_list(file.path() + "\t--inertia 4 --exactly 4\n");
     CHECK(run("--claims " + short_list.path()).code == 2);
-}
-
-TEST_CASE("scene body: files of several rho prove nothing together") {
-    const File first(body_text("3/1 4/1", "1/1 1/1", 4, "symmetric\n", 0, "")),
-        next(body_text("4/1 9/1", "1/1 1/1", 5, "symmetric\n", 0, "")),
-        open(mutated(body_text("4/1 9/1", "1/2 1/2", 5, "", 0, ""), "upper 5\n", "upper none\n"));
-    const std::string ask = "--together --rho 1 --inertia 3:9 ";
-    CHECK(run(ask + "--max 5 " + first.path() + " " + next.path()).code == 0);
-    CHECK(run("--together " + first.path() + " " + open.path())
-              .last()
-              .starts_with("s REJECTED code=chain several scenes: "));
 }

@@ -1,5 +1,4 @@
-// The sections full and plain and the scenes wedge and hybrid: true certificates are
-// accepted, false ones are not.
+// The sections full and plain: true certificates are accepted, false ones are not.
 #include "catch.hpp"
 #include "rooms/verify/core/leaf_rows.hpp"
 #include "rooms/verify/program/run_program.hpp"
@@ -29,18 +28,6 @@ std::string full_text(const Section& section, const std::string& q, std::uint64_
     return closed(header(std::string(section.lemmas), "dumbbell", "full", q, q) + "piece " + q + " " + q +
                   "\nbits 53\nupper " + std::to_string(upper) + "\n" +
                   cover(section, mpq_class(q), mpq_class(q), upper) + "lower 0\n");
-}
-
-std::string wedge_text(const std::string& scene, const std::string& lo, const std::string& hi, int upper,
-                       const std::string& cover, int lower, const std::string& witness) {
-    return closed(header("1", scene, "turning", lo, hi) + "piece " + lo + " " + hi + "\nbits 53\nupper " +
-                  std::to_string(upper) + "\nchart wedge\n" + cover + "lower " + std::to_string(lower) +
-                  "\n" + (lower > 0 ? "witness wedge " + witness + "\n" : ""));
-}
-const std::string tree10 =
-    "split lambda\nsplit lambda\nsplit lambda\ncount 3 2\ncount 2 3\noutside\noutside\n";
-std::string wedge10(const std::string& scene = "wedge") {
-    return wedge_text(scene, "10/1", "10/1", 6, tree10, 6, "0b0 1b-4 3 2");
 }
 
 }  // namespace
@@ -144,54 +131,19 @@ TEST_CASE("section plain: the enclosure of x ends at pi/2, not before") {
     CHECK(said("6" + thin) == "0 < numerator, where D may be 0");
 }
 
-TEST_CASE("the wedge is exact: ties at q = 1 and q = 3 are decided, N - 1 is refused") {
-    const std::string one = wedge_text("wedge", "1/1", "1/1", 2, "count 1 0\n", 2, "0b0 1b-1 1 0");
-    const std::string three = wedge_text("wedge", "3/1", "3/1", 3, "count 1 1\n", 3, "0b0 1b0 1 1");
-    CHECK(outcome_in_scene(one, "wedge") == "verified");
-    CHECK(outcome_in_scene(three, "wedge") == "verified");
-    CHECK(outcome_in_scene(one) == "claim-not-proved");
-    CHECK(
-        outcome_in_scene(mutated(three, "piece 3/1 3/1\nbits 53\nupper 3", "piece 3/1 3/1\nbits 53\nupper 2"),
-                         "wedge") == "count");
-    for (const char* hints : {"count 0 1", "count 1 0", "count 0 2", "count 2 1", "outside", "equal-masses"})
-        CHECK(outcome_in_scene(mutated(three, "count 1 1", hints), "wedge") != "verified");
-    CHECK(outcome_in_scene(wedge_text("wedge", "3/1", "3000001/1000000", 3, "count 1 1\n", 0, ""), "wedge") ==
-          "count");
-    for (const std::string scene : {"wedge", "hybrid"}) {
-        const std::string text = wedge10(scene);
-        CHECK(outcome_in_scene(text, scene) == "verified");
-        CHECK(outcome_in_scene(text, scene == "wedge" ? "hybrid" : "wedge") == "claim-not-proved");
-        CHECK(outcome_in_scene(mutated(text, tree10, "count 3 2\n"), scene) == "count");
-        CHECK(outcome_in_scene(mutated(text, "split lambda", "split e"), scene) == "syntax");
-        CHECK(outcome_in_scene(mutated(text, "count 3 2", "meets"), scene) == "opcode");
-        CHECK(outcome_in_scene(mutated(text, "count 3 2", "count 10000 1"), scene) == "count");
-        CHECK(outcome_in_scene(mutated(mutated(text, "upper 6", "upper 99999"), "count 3 2", "count 10000 1"),
-                               scene) == "limit");
-        const auto with = [&](const std::string& w) {
-            return outcome_in_scene(mutated(text, "wedge 0b0 1b-4 3 2", w), scene);
-        };
-        CHECK(with("wedge 0b0 1b-4 3 3") == "witness");
-        CHECK(with("wedge 0b0 1b-4 4 2") == "witness");
-        CHECK(with("wedge 0b0 1b-4 2 2") == "witness");  // 1 + a + b < V
-        CHECK(with("wedge 1b0 1b-4 3 2") == "witness");
-        CHECK(with("wedge 0b0 5b1 3 2") == "witness");  // r lambda = 1
-        CHECK(with("wedge 0b0 5b0 3 2") == "witness");  // sigma X descends
-        CHECK(with("bridge 0b0 1b-4 3 2") == "syntax");
-    }
-}
-
 TEST_CASE("combinations of words that are not in the table are unsupported") {
-    const std::string text = wedge10();
-    CHECK(outcome_in_scene(mutated(text, "section turning", "section full"), "wedge") == "unsupported");
-    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas minimal"), "wedge") == "unsupported");
-    CHECK(outcome_in_scene(mutated(text, "lemmas 1", "lemmas none"), "wedge") == "unsupported");
-    CHECK(outcome_in_scene(mutated(text, "scene wedge", "scene vedge"), "wedge") == "unsupported");
-    const File file(mutated(text, "section turning", "section full"));
-    CHECK(run("--scene wedge " + file.path()).code == 3);
+    const std::string text = full_text(full(), "10/1", 4);
+    for (const auto& [from, to] : {std::pair{"section full", "section tangents"},
+                                   {"lemmas 1", "lemmas body"},
+                                   {"lemmas 1", "lemmas none"},
+                                   {"scene dumbbell", "scene body"},
+                                   {"scene dumbbell", "scene wedge"}})
+        CHECK(outcome_in_scene(mutated(text, from, to), "") == "unsupported");
+    const File file(mutated(text, "section full", "section tangents"));
+    CHECK(run(file.path()).code == 3);
 }
 
-TEST_CASE("a leaf of each section is explained in its own words") {
-    const File w(wedge10()), d(full_text(full(), "10/1", 4));
-    CHECK(make::has(run("--explain 1:wedge.000 --scene wedge " + w.path()), "G_w <= a for X: holds"));
-    CHECK(make::has(run("--explain 1:contact " + d.path()), "1 + a <= U: holds"));
+TEST_CASE("a leaf of the full section is explained in its own words") {
+    const File file(full_text(full(), "10/1", 4));
+    CHECK(make::has(run("--explain 1:contact " + file.path()), "1 + a <= U: holds"));
 }

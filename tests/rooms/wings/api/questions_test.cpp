@@ -39,13 +39,10 @@ struct Question {
 };
 
 Proof certified(const Question& asked) {
-    const std::map<std::string, Scene> scenes{
-        {"", Scene::dumbbell}, {"hybrid", Scene::hybrid}, {"wedge", Scene::wedge}};
     const std::map<std::string, Section> sections{
         {"", Section::turning}, {"full", Section::full}, {"plain", Section::plain}};
     const CertifyOptions options{.gap = asked.option("gap", "1e-6"),
-                                 .section = sections.at(asked.option("section")),
-                                 .scene = scenes.at(asked.option("scene"))};
+                                 .section = sections.at(asked.option("section"))};
     if (asked.options.contains("coin")) {
         return certify(Body{"1", "4"}, options);
     }

@@ -15,7 +15,8 @@ TEST_CASE("the ends of a step enclose its critical ratio and show the law") {
         CAPTURE(n);
         const StepEnds ends = step_ends(n, constants);
         CHECK(shows_the_law(n, ends, constants));
-        CHECK(dumbbell::critical::certainly_encloses({n, ends.below, ends.above, 64}));
+        const auto ratio = dumbbell::critical::enclose_ratio(n, {.digits = 30});
+        CHECK((ratio && ends.below <= ratio->q_lo && ratio->q_hi <= ends.above));
     }
 }
 

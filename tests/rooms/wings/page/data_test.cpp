@@ -13,12 +13,12 @@ using Parsed = nlohmann::ordered_json;
 
 namespace {
 
-Parsed data_of(const AnyCertificate& certificate, std::size_t most_boxes = 200'000,
+Parsed data_of(const Reported& certificate, std::size_t most_boxes = 200'000,
                const std::string& path = "some/file.dbc") {
     return parsed(page_data({{path, "abc123", certificate}}, most_boxes));
 }
 
-Parsed file_of(const AnyCertificate& certificate) { return data_of(certificate)["files"][0]; }
+Parsed file_of(const Reported& certificate) { return data_of(certificate)["files"][0]; }
 
 starts::Node halved(starts::Axis axis) { return {axis, {}}; }
 starts::Node closed(long least, std::optional<long> most, std::optional<starts::FirstContact> first = {}) {
@@ -34,28 +34,6 @@ starts::Certificate starts_file(starts::Node last) {
     certificate.box.hi = {1, -1, 3, Rational(-1, 2), 10};
     certificate.tree = {halved(starts::Axis::phi), closed(1, 1, window), halved(starts::Axis::phi),
                         closed(2, 2, window), std::move(last)};
-    return certificate;
-}
-
-adiabatic::Certificate run_claim() {
-    adiabatic::Certificate certificate;
-    certificate.generator = {"dumbbell", "0.1.0"};
-    certificate.hypotheses = {adiabatic::Claim::run,
-                              {Rational(0), Rational(1, 100)},
-                              {Rational(0), Rational(9, 10)},
-                              Rational(3, 10),
-                              8};
-    certificate.bounds = {Rational(1777, 100)};
-    const adiabatic::Node bound{};
-    adiabatic::Node outside;
-    outside.outside = true;
-    adiabatic::Node split;
-    split.split = adiabatic::Axis::v;
-    certificate.classes = {{Rational(7), {}, {split, bound, outside}}, {Rational(8), {}, {bound}}};
-    adiabatic::Node second;
-    second.by_class = 1;
-    certificate.tree = {split, second, outside};
-    certificate.attained = {{Rational(1, 2), 1, Rational(1, 100), 64, Rational(16)}};
     return certificate;
 }
 
@@ -117,17 +95,13 @@ TEST_CASE("the verifier is asked for exactly what the file claims") {
     CHECK(options(certificate_of({piece(1, 2, 3, 3), piece(2, 3, 5, 4)})) ==
           "--ratio 1:3 --max 5 --min 3 --gap 0.5 --gaps 1");
     CHECK(options(certificate_of({open_piece(5, 12)})) == "--ratio 5:12");
-    Certificate wedge = certificate_of({piece(1, 2, 3, 2)});
-    wedge.system.section = Section::wedge;
-    wedge.pieces[0].cover = {};
-    CHECK(options(wedge) == "--scene wedge --ratio 1:2 --max 3 --min 2");
 }
 
 TEST_CASE("the paper's bound is one of the dumbbell, and of ratios that it can be computed for") {
-    Certificate hybrid = certificate_of({piece(1, 2, 3, 2)});
-    hybrid.system.section = Section::hybrid;
-    hybrid.pieces[0].cover = {};
-    CHECK(file_of(hybrid)["pieces"][0]["paper"].is_null());
+    Certificate body = certificate_of({piece(1, 2, 3, 2)});
+    body.system = {Section::body, 1};
+    body.pieces[0].cover = {};
+    CHECK(file_of(body)["pieces"][0]["paper"].is_null());
     CHECK(file_of(certificate_of({piece(2, exact(1e40), 4, 3)}))["pieces"][0]["paper"].is_null());
 }
 
@@ -203,23 +177,6 @@ TEST_CASE("a tree of initial conditions deeper than the format permits is refuse
     certificate.tree.assign(100'000, halved(starts::Axis::phi));
     certificate.tree.insert(certificate.tree.end(), 100'001, closed(1, 1));
     CHECK_THROWS_WITH(file_of(certificate), Contains("levels deep"));
-}
-
-TEST_CASE("the adiabatic invariant: hypotheses, constants, classes of the leaves, attained states") {
-    const Parsed file = file_of(run_claim());
-    CHECK(file["claim"] == "adiabatic-run");
-    CHECK(file["delta"] == Parsed{"0", "0.01"});
-    CHECK(file["heights"] == Parsed{"0", "0.9"});
-    CHECK(file["margin"] == "0.3");
-    CHECK(file["exponent"].is_null());
-    CHECK(file["bounds"] == Parsed{"17.77"});
-    CHECK(file["leaves"] == Parsed::parse(R"({"bound": 3, "outside": 2})"));
-    CHECK(file["attained"][0]["n"] == 64);
-    CHECK(file["attained"][0]["u"] == "1/2");
-    CHECK(file["tree"]["nodes"] == Parsed{-4, 2, 0});
-    CHECK(file["kinds"].size() == 3);
-    CHECK(file["verify_options"] ==
-          "--claim adiabatic-run --delta 0:0.01 --heights 0:0.9 --margin 0.3 --constant 17.77 --attained 16");
 }
 
 TEST_CASE("the constant C has 20 digits that are proved") {

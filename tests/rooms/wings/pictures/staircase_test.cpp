@@ -129,23 +129,6 @@ TEST_CASE("many counts are drawn by their logarithm: twice as many is the same s
     CHECK(proved[0] - proved[1] == Approx(proved[1] - proved[2]).margin(0.02));
 }
 
-TEST_CASE("a wedge's picture names it, has its own scale, and no curve of the dumbbell") {
-    for (const auto& [section, name] : {std::pair{Section::wedge, "in the straight wedge"},
-                                        std::pair{Section::hybrid, "in the hybrid wedge"}}) {
-        CAPTURE(name);
-        const std::string svg =
-            staircase_svg({.pieces = {piece(3, 5, 4, 4), open_piece(5, 20)}, .system = {section}});
-        CHECK(well_formed(svg));
-        CHECK_THAT(path_of(svg, "proved"), Contains("H"));
-        CHECK_THAT(svg, Contains(name) && !Contains("the paper") && !Contains("class=\"growth\"") &&
-                            !Contains("dumbbell") && !Contains("nan") && !Contains("inf"));
-        // Its formula, ceil(pi / gamma), steps to 4 at q = 3, and so goes on where the proved value is drawn.
-        CHECK(heights(path_of(svg, "paper")).at(1) == heights(path_of(svg, "proved")).front());
-        CHECK(well_formed(staircase_svg({.pieces = {open_piece(5, 20)}, .system = {section}})));
-    }
-    CHECK_THAT(staircase_svg({.pieces = three_pieces()}), Contains("bouncing dumbbell"));
-}
-
 TEST_CASE("an empty range has no picture, nor one that goes too far") {
     CHECK_THROWS_AS(staircase_svg({.pieces = {open_piece(5, 4 * flight::paper_bound_limit())}}), InputError);
     CHECK_THROWS_AS(staircase_svg({.pieces = {}}), BrokenInvariant);

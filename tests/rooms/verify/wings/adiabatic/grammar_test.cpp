@@ -11,7 +11,7 @@ TEST_CASE("adiabatic grammar: unknown words make a file unsupported") {
                                    {"claim adiabatic-run", "claim adiabatic-printed"},
                                    {"section none", "section turning"},
                                    {"lemmas 1", "lemmas minimal"},
-                                   {"scene dumbbell", "scene wedge"},
+                                   {"scene dumbbell", "scene body"},
                                    {"dumbbell-certificate 1", "dumbbell-certificate 2"}}) {
         INFO(to);
         CHECK(mutant(run_file(), from, to) == "unsupported");

@@ -27,7 +27,7 @@ TEST_CASE("law: the verdict states the law, and nothing of single ratios") {
     CHECK(run("--claim laws " + file.path()).code == 2);
     CHECK(run("--budget 0.05s " + file.path()).code == 4);
     for (const char* demand :
-         {"--max 5", "--min 1", "--exactly 2", "--ratio 399", "--claim law --ratio 1e7", "--together"}) {
+         {"--max 5", "--min 1", "--exactly 2", "--ratio 399", "--claim law --ratio 1e7"}) {
         INFO(demand);
         CHECK(run(std::string(demand) + " " + file.path()).code == 2);
     }

@@ -91,7 +91,8 @@ TEST_CASE("initial conditions: a part of the box has the bounds and the share of
 TEST_CASE("options that do not fit the kind of claim, or are no numbers, are wrong usage in any order") {
     for (const auto& [options, message] : std::vector<std::pair<std::string, std::string>>{
              {"--phi 1 --claim incoming", "--phi is for --claim initial-conditions\n"},
-             {"--decided 1", "--decided is for --claim initial-conditions or incoming\n"},
+             {"--decided 1 --claim law",
+              "--decided is for --claim collisions (of bodies), initial-conditions or "},
              {"--max 1 --claim adiabatic-run", "--max is for --claim collisions, "},
              {"--exponent 1/2 --claim adiabatic-run", "--exponent is for --claim adiabatic-bounce\n"},
              {"--claim adiabatic-scattering --heights 0:1", "--heights is for --claim adiabatic-bounce or "},

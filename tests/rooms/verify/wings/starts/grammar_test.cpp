@@ -40,7 +40,7 @@ TEST_CASE("unknown words make a file about initial conditions unsupported") {
                                    {"section none", "section turning"},
                                    {"lemmas 1", "lemmas minimal"},
                                    {"lemmas 1", "lemmas 2"},
-                                   {"scene dumbbell", "scene hybrid"},
+                                   {"scene dumbbell", "scene body"},
                                    {"dumbbell-certificate 1", "dumbbell-certificate 2"}}) {
         INFO(to);
         CHECK(initial_mutant(from, to) == "unsupported");

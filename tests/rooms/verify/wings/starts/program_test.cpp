@@ -40,7 +40,7 @@ TEST_CASE("initial conditions: demands are about the box, and must say so") {
     CHECK(code(ask + "--exactly 5") == 1);
     CHECK(code(ask + "--ratio 0.1") == 2);
     CHECK(code(ask + "--ratio 10:11") == 1);
-    CHECK(code(ask + "--scene hybrid") == 1);
+    CHECK(code(ask + "--scene body") == 1);
     CHECK(code("--claim collisions") == 1);
     CHECK(code("--claim other") == 2);
     const File open(

@@ -1,0 +1,238 @@
+// The section cells of the scene body (format-sections.md, section 6; L87): rectangles of bodies, whose lower
+// and upper sides bound N.
+#include <cmath>
+
+#include "verify/core/big.hpp"
+#include "verify/core/reader.hpp"
+#include "verify/core/section.hpp"
+#include "verify/core/tree.hpp"
+#include "verify/functions/exact_value.hpp"
+#include "verify/sections/corner.hpp"
+#include "verify/sections/valley.hpp"
+
+namespace dumbbell_verify {
+namespace {
+
+/// A line `cell`.
+struct Cell {
+    std::uint64_t line = 0;
+    unsigned bits = 53;
+    bool multiple = false;
+    Box box;                      ///< the last two sides: Q, rho
+    mpz_class upper, lower, j;    ///< U, V
+    mpq_class p;                  ///< of the orbit that shows V
+    std::vector<mpz_class> x;     ///< 0, those of the orbits that show U, and the end
+    std::vector<mpq_class> p_of;  ///< of these orbits
+};
+
+template <class N>
+class CellRule : Valley<N> {
+    using Base = Valley<N>;
+    using Base::fact, Base::one, Base::outward_from_above, Base::outward_from_below, Base::over_bridge,
+        Base::zero;
+    using typename Base::I, typename Base::Ray;
+
+  public:
+    CellRule(const Cell& cell, Log* log) : Base(log), cell_(cell) {}
+
+    const char* verdict() {
+        if (!(r_top > zero && rho0.lo > zero)) return "r or rho is out of the range of this precision";
+        return at_most_upper() && at_least_lower() ? nullptr : Base::failed();
+    }
+
+  private:
+    static bool may_have(const mpz_class& n, const mpq_class& rho, const mpq_class& q) {
+        return n > most_in_corner || corner_has(n, rho, q);
+    }
+
+    /// At Q = B.
+    bool at_most_upper() {
+        const mpq_class &R0 = cell_.box.lo[3], &R1 = cell_.box.hi[3], &B = cell_.box.hi[2];
+        const std::vector<mpz_class>& x = cell_.x;
+        const mpz_class half = (cell_.upper - 1) / 2, &end = x.back();
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+            const mpz_class most = half + 1 - x[i + 1];  // a_i
+            if (!fact("x grows", x[i] < x[i + 1]) || !fact("0 <= a", most >= 0)) return false;
+            if (!(i == 0 ? R0 == 1 || Base::at_most("k0 <= a", {rho0.lo, zero, r_top}, most)
+                         : orbit_at_most(x[i], cell_.p_of[i - 1], most)))
+                return false;
+        }
+        return fact("ceil(pi/corner) <= 2 x at (R1, B)", !may_have(2 * end + 1, R1, B)) &&
+               (mpz_even_p(cell_.upper.get_mpz_t()) != 0 || !may_have(2 * end, R1, B) ||
+                Base::even_at_most(end - 1, rho1, r_top, half - end));
+    }
+    bool orbit_at_most(const mpz_class& j, const mpq_class& p, const mpz_class& most) {
+        Ray ray;
+        return fact("Y is followed at (R1, B)",
+                    outward_from_below(j, bound(down, p, zero), rho1, r_top, ray)) &&
+               Base::at_most("G(Y) <= a", over_bridge(down, ray), most) &&
+               (p == 0 || fact("Y hits the bridge at (R0, B)",
+                               outward_from_above(j, bound(up, p, zero), rho0,
+                                                  bound(up, 1 / cell_.box.hi[2], zero), ray) &&
+                                   Base::hits_bridge(ray, rho0)));
+    }
+
+    /// At Q = A.
+    bool at_least_lower() {
+        const mpq_class &R0 = cell_.box.lo[3], &A = cell_.box.lo[2];
+        const mpz_class &j = cell_.j, &V = cell_.lower, rest = V / 2 - j;
+        if (j == 0)
+            return V <= most_in_corner && corner_has(V, R0, A)
+                       ? fact("V <= ceil(pi/corner) at (R0, A)", true)
+                       : (mpz_odd_p(V.get_mpz_t()) != 0
+                              ? Base::at_least("k0 >= (V - 1)/2", {rho1.hi, zero, r_bottom}, rest)
+                              : through_corner(rest - 1));
+        Ray ray;
+        return fact("2 j + 1 <= ceil(pi/corner) at (R0, A)",
+                    2 * j < most_in_corner && corner_has(2 * j + 1, R0, A)) &&
+               fact("0 < p", cell_.p > 0) &&
+               fact("Y exists at (R0, A)",
+                    outward_from_above(j, bound(up, cell_.p, zero), rho0, r_bottom, ray)) &&
+               Base::at_least("G(Y) >= V/2 - j", over_bridge(up, ray), rest) &&
+               fact("Y passes the bridge at (R1, A)",
+                    outward_from_below(j, bound(down, cell_.p, zero), rho1, bound(down, 1 / A, zero), ray) &&
+                        Base::passes_bridge(ray, rho1));
+    }
+    /// The even motion of J = 0: one reflection of the wedge's ray.
+    bool through_corner(const mpz_class& least) {
+        const I kappa = -rho0.lo, r = r_bottom, D = I(1) - I(2) * kappa - r,
+                top = kappa + I(2) * r - r * kappa;
+        if (!fact("the wedge's ray goes to the left", D.lo > zero)) return false;
+        return Base::at_least("k1 >= V/2 - 1", over_bridge(up, {zero, rho1.hi, r_bottom}), least) &&
+               Base::at_least("T >= V/2 - 1", over_bridge(up, {zero, div(up, top.hi, D.lo), r_bottom}),
+                              least);
+    }
+
+    const Cell& cell_;
+    const I rho0{bound(down, cell_.box.lo[3], zero), bound(up, cell_.box.lo[3], zero)},
+        rho1{bound(down, cell_.box.hi[3], zero), bound(up, cell_.box.hi[3], zero)};
+    const N r_top = bound(down, 1 / cell_.box.hi[2], zero), r_bottom = bound(up, 1 / cell_.box.lo[2], zero);
+};
+
+class CellReader : public Reader<Cell> {
+  public:
+    CellReader(Text& text, const Settings& settings) : Reader(text, settings) {
+        proof_.claim = settings.demand;
+        proof_.section = &cells();
+        proof_.tallies = {{"split"}, {"cell"}, {"beyond"}, {"open"}};
+    }
+
+  private:
+    [[nodiscard]] std::string_view kind() const override { return "collisions"; }
+    [[nodiscard]] std::string_view scene() const override { return "body"; }
+    [[nodiscard]] std::string missing() const override { return proof_.claim.missing(); }
+    [[nodiscard]] const char* check(const Cell& cell, Log* log) const override {
+        return dumbbell_verify::judged<CellRule>(cell, log);
+    }
+    [[nodiscard]] std::string_view opcode(const Cell& /*cell*/) const override { return "cell"; }
+
+    void read() override {
+        static constexpr std::array<std::string_view, 4> axes{"", "", "q", "rho"};
+        Collisions& claim = proof_.claim;
+        text_.expect("ratio", 2);
+        claim.lo = text_.ratio(1);
+        claim.hi = text_.ratio(2);
+        text_.expect("rho", 2);
+        const auto& [lowest, greatest] = *(claim.rho = {text_.ratio(1), text_.ratio(2)});
+        if (claim.lo > claim.hi || lowest > greatest || greatest > 1)
+            text_.reject("number", "not LO <= HI and R0 <= R1 <= 1");
+        claim.leap = 2;
+        asked_ = {claim.question(), claim.rhos.value_or(*claim.rho)};
+        Cell cell;
+        read_bits(cell);
+        root_ = cell.box = {{0, 0, claim.lo, lowest}, {0, 0, claim.hi, greatest}};
+        proof_.roots = 1;
+        Tree<Box> tree{text_, axes, proof_.tallies[0].lines, cell.box, "cell."};
+        tree.read([&] { leaf(cell, std::ldexp(1, -tree.depth), tree.path); });
+        claim.add(claim.lo, claim.hi, part_.upper, part_.lower);
+        static_cast<Bounds&>(claim) = Bounds(whole_.upper, whole_.lower, claim.leap);
+        const mpq_class known = exact_value(decided_.lo), all = known + exact_value(undecided_.hi);
+        proof_.decided = part_.upper == part_.lower ? 1 : all > 0 ? mpq_class(known / all) : 0;
+    }
+
+    void leaf(Cell& cell, double share, const std::string& path) {
+        const std::string_view opcode = text_.fields[0];
+        const bool says_nothing = text_.fields.size() == 1 && (opcode == "open" || opcode == "beyond");
+        if (!says_nothing && opcode != "cell") text_.reject("opcode", "not a line for this place");
+        Tally& tally = proof_.tallies[opcode == "cell" ? 1 : opcode == "beyond" ? 2 : 3];
+        ++tally.lines;
+        tally.covered += share;
+        if (opcode == "beyond" && cell.box.hi[2] * cell.box.hi[3] > 1)
+            text_.reject("beyond", "not certified: R1 B <= 1");
+        if (says_nothing) return join(cell.box, {std::nullopt, 0});
+        if (text_.fields.size() < 6 || text_.fields.size() % 2 != 0)
+            text_.reject("syntax", "expected `cell U V j p end`, and pairs `x p`");
+        cell.line = text_.line;
+        cell.upper = text_.long_natural(1);
+        cell.lower = text_.long_natural(2);
+        cell.j = text_.long_natural(3);
+        cell.p = text_.dyadic(4);
+        cell.x = {0};
+        cell.p_of.clear();
+        for (std::size_t i = 6; i < text_.fields.size(); i += 2) {
+            cell.x.push_back(text_.long_natural(i));
+            cell.p_of.push_back(text_.dyadic(i + 1));
+        }
+        cell.x.push_back(text_.long_natural(5));
+        if (cell.lower > cell.upper || cell.upper == 0) text_.reject("number", "not V <= U, 1 <= U");
+        explain(cell, path);
+        take(cell);
+        join(cell.box, {cell.upper, cell.lower});
+    }
+
+    /// What is said of a cell. Areas are those above the edge, Q rho = 1: a cell across it counts as a whole,
+    /// as undecided.
+    void join(const Box& box, const Bounds& bounds) {
+        whole_.join(bounds);
+        text_.budget.take(units_of_logs, text_.line);
+        Big::precision = bits_of_logs;
+        const auto area = area_of(box);
+        if (!area) return;
+        part_.join(bounds);
+        const bool is_above = box.lo[2] * box.lo[3] >= 1, is_beyond = box.hi[2] * box.hi[3] <= 1;
+        if (is_above && bounds.upper == bounds.lower)
+            decided_ = decided_ + *area;
+        else if (!is_beyond)
+            undecided_ = undecided_ + *area;
+    }
+
+    /// In (log Q, log rho), of what is asked about in the box; of a single Q or rho the length. Of boxes that
+    /// share an end, the upper one has it.
+    [[nodiscard]] std::optional<Interval<Big>> area_of(const Box& box) const {
+        Interval<Big> area = 1;
+        for (const std::size_t i : {2, 3}) {
+            const auto& [from, to] = asked_[i - 2];
+            const mpq_class lo = std::max(from, box.lo[i]), hi = std::min(to, box.hi[i]);
+            if (from < to ? lo >= hi : lo > hi || (hi == box.hi[i] && hi < root_.hi[i])) return std::nullopt;
+            if (from < to) area = area * Interval<Big>(log_of(down, hi / lo), log_of(up, hi / lo));
+        }
+        return area;
+    }
+    /// MPFR rounds it correctly.
+    static Big log_of(Round d, const mpq_class& x) {
+        return Big::rounded(d, mpfr_log, bound(d, x, Big(0)).get());
+    }
+
+    static constexpr std::uint64_t units_of_logs = 1 << 16;
+    static constexpr int bits_of_logs = 128;
+
+    std::array<Range, 2> asked_;  ///< Q, rho
+    Box root_;
+    Bounds whole_, part_;                ///< of all cells so far, of those of the part
+    Interval<Big> decided_, undecided_;  ///< areas of the part
+};
+
+Proof read_cells(Text& text, const Settings& settings) { return CellReader(text, settings).proof(); }
+
+}  // namespace
+
+const Section& cells() {
+    static const Section section = [] {
+        Section made{"body", "body", "cells", {}, {{"cell", {"q", "rho"}}}, {}, nullptr, nullptr};
+        made.read = read_cells;
+        return made;
+    }();
+    return section;
+}
+
+}  // namespace dumbbell_verify
