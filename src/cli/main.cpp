@@ -47,9 +47,9 @@ constexpr const char* program_footer =
 
 constexpr std::array program_options{version_option};
 
-constexpr std::array program_commands{&certify_command,   &critical_command, &join_command,    &trace_command,
-                                      &adiabatic_command, &verify_command,   &audit_command,   &law_command,
-                                      &plot_command,      &report_command,   &generate_command};
+constexpr std::array program_commands{
+    &certify_command, &verify_command, &critical_command, &report_command,    &trace_command,   &law_command,
+    &join_command,    &audit_command,  &plot_command,     &adiabatic_command, &generate_command};
 
 std::string version_text() {
     return fmt::format("dumbbell {} ({}, {}, licence: {}, flags: {})", DUMBBELL_VERSION, DUMBBELL_COMPILER,

@@ -100,21 +100,13 @@ std::string trace_command(const Rational& q, const WitnessStart& start) {
                        start.digits == 0 ? "" : fmt::format(" --digits {}", start.digits));
 }
 
-/// How clear of tangency the witness's collisions are, how narrowly it is known, and a start near it unless
-/// the orbit itself is printed with it; nothing of a range.
-std::string witness_sentence(const ProofReport& report) {
+/// A start in the air with as many collisions, unless the orbit is printed with it; nothing of a range.
+std::string start_sentence(const ProofReport& report) {
     const ReportRow& row = report.rows.front();
-    if (!report.claim.range.is_single() || row.piece->status() != Status::exact || row.margin <= 0) {
-        return {};
-    }
-    return fmt::format(
-        "Its orbit meets the floor at an angle of {} rad or more (in the metric of the kinetic energy), and "
-        "the "
-        "heights along it are enclosed to {}.\n{}",
-        rounded_down(row.margin), rounded_up(row.width),
-        row.start && row.orbit.empty()
-            ? fmt::format("A start in the air with as many: {}\n", trace_command(row.piece->q_lo, *row.start))
-            : "");
+    const bool is_wanted = report.claim.range.is_single() && row.start && row.orbit.empty();
+    return is_wanted ? fmt::format("A start in the air with as many: {}\n",
+                                   trace_command(row.piece->q_lo, *row.start))
+                     : "";
 }
 
 std::string single_sentence(const ProofReport& report) {
@@ -133,7 +125,7 @@ std::string single_sentence(const ProofReport& report) {
     return fmt::format("Not decided: at {} {}.\n", q, known);
 }
 
-/// By the share that is not decided: one like 0.999999999999 says less, and rounds to 1.
+/// By the smaller share of the two: one like 0.999999999999 says less, and rounds to 1.
 std::string decided_text(const Rational& undecided, bool some) {
     if (undecided == 0) {
         return "Decided: the whole range.\n";
@@ -141,7 +133,10 @@ std::string decided_text(const Rational& undecided, bool some) {
     if (undecided == 1) {
         return some ? "Decided: single ratios only.\n" : "Decided: nothing of the range.\n";
     }
-    return fmt::format("Decided: all but {} of the range.\n", rounded_up(undecided));
+    return undecided > Rational(1, 2)
+               ? fmt::format("Decided: {} of the range.\n",
+                             to_text(without_zeros(cut_down(1 - undecided, 3))))
+               : fmt::format("Decided: all but {} of the range.\n", rounded_up(undecided));
 }
 
 std::string range_sentence(const ProofReport& report) {
@@ -215,23 +210,33 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
     return json;
 }
 
+/// What proves the upper bound: so many boxes, or a lemma that needs none.
+std::string boxes_text(const Cover& cover) {
+    return cover.equal_masses ? "by L7" : cover.symmetric ? "by L72" : fmt::format("{}", cover.leaves());
+}
+
 std::string pieces_table(const ProofReport& report) {
-    const bool paper = row_of(report).has_paper_bound;
-    std::vector<TableLine> lines;
-    const auto add = [&](TableLine line, const std::string& bound) {
-        if (paper) {
-            line.insert(line.begin() + 2, bound);
-        }
-        lines.push_back(std::move(line));
-    };
-    add({ratio_word(report), "N", "boxes", "time"}, "paper");
-    for (const ReportRow& row : report.rows) {
-        const Piece& piece = *row.piece;
-        add({range_text({piece.q_lo, piece.q_hi}), value_text(piece), fmt::format("{}", piece.cover.leaves()),
-             fmt::format("{:.3f} s", row.seconds)},
-            paper_text(report, piece));
+    const SectionRow& row = row_of(report);
+    std::vector<TableLine> lines{{ratio_word(report), "N", "boxes", "time"}};
+    for (const ReportRow& line : report.rows) {
+        const Piece& piece = *line.piece;
+        lines.push_back({range_text({piece.q_lo, piece.q_hi}), value_text(piece), boxes_text(piece.cover),
+                         fmt::format("{:.3f} s", line.seconds)});
     }
-    return aligned(lines, 0);
+    for (std::size_t i = 0; row.has_paper_bound && i < lines.size(); ++i) {
+        lines[i].insert(lines[i].begin() + 2,
+                        i == 0 ? "paper" : paper_text(report, *report.rows[i - 1].piece));
+    }
+    const bool by_lemma =
+        std::ranges::any_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
+    return aligned(lines, 0) +
+           fmt::format("{}N: the greatest number of collisions;{} boxes: {}{}.\n",
+                       report.claim.system.rho ? "Q: of the body (certify --help bodies); " : "",
+                       row.has_paper_bound ? " paper: the bound of the source paper;" : "",
+                       row.charts.front() == Chart::tangent
+                           ? "intervals of contacts, by Theorem B of proofs/body.md"
+                           : "the parts that together hold all motions, each with a reason",
+                       by_lemma ? "; by L...: a lemma of proofs/ needs none" : "");
 }
 
 }  // namespace
@@ -242,10 +247,13 @@ std::string verdict(const ProofReport& report) {
 }
 
 std::string to_text(const ProofReport& report) {
-    std::string text = pieces_table(report);
-    text += fmt::format("{} in {:.2f} s with {}\n\n", plural(report.rows.size(), "piece"), report.seconds,
-                        plural(report.jobs, "thread"));
-    text += verdict(report) + witness_sentence(report);
+    const bool is_single = report.claim.range.is_single();  // else the answer follows what may be long
+    std::string text = is_single ? verdict(report) + '\n' : "";
+    text += pieces_table(report);
+    text += is_single ? "\n"
+                      : fmt::format("{} in {:.2f} s with {}\n\n{}", plural(report.rows.size(), "piece"),
+                                    report.seconds, plural(report.jobs, "thread"), verdict(report));
+    text += start_sentence(report);
     if (heavy_at_most_once(report.claim, pieces_of(report))) {
         text += "In every trajectory the heavy mass hits the floor at most once.\n";
     }

@@ -37,8 +37,8 @@ struct ProofReport {
     std::optional<std::string> sha256{};
 };
 
-/// The table: ratio interval, N, the paper's bound (for the dumbbell, of which it is one), boxes, time; below
-/// it one sentence that says what was proved. Ratios are exact.
+/// One sentence that says what was proved, and a table: ratio interval, N, the paper's bound (for the
+/// dumbbell, of which it is one), boxes, time. Ratios are exact.
 [[nodiscard]] std::string to_text(const ProofReport& report);
 [[nodiscard]] Json to_json(const ProofReport& report);
 

@@ -53,14 +53,14 @@ std::optional<long> first_unreached(const Report& report) {
 /// What the number is, in terms of the orbit, and what makes it the critical ratio.
 std::string foundation(const std::string& flight) {
     return fmt::format(
-        "By interval Newton it is the only ratio near it that makes {} tangent to the\n"
-        "hump; that the maximum steps there is theorem 2 of proofs/theorem.md, which the covers of\n"
+        "By interval Newton it is the only ratio near it at which {} just touches\n"
+        "the floor; that the maximum steps there is theorem 2 of proofs/theorem.md, which the covers of\n"
         "dumbbell certify do not use.\n",
         flight);
 }
 std::string long_foundation(const std::string& beginning, const std::string& flight) {
     return beginning + fmt::format(
-                           "ust below it {} does not collide, just above it does: the orbit was\n"
+                           "ust below it {} does not hit the floor, just above it does: the orbit was\n"
                            "followed by macro steps (L42). That the maximum steps there is theorem 2 of "
                            "proofs/theorem.md,\n"
                            "which the covers of dumbbell certify do not use.\n",
@@ -73,12 +73,12 @@ std::string foundation(const Bodies& bodies) {
     return (bodies.have_rods
                 ? fmt::format(
                       "Proved: with ends of the ratio {} and a uniform rod of this mass (in units of that of "
-                      "both ends),\nN falls from one value to the other within the radius. That there are no "
+                      "both ends),\nN falls from one value to the other there. That there are no "
                       "other falls, and no rises, is open.\n",
                       number)
                 : fmt::format("Proved: at rho {} no motion has N collisions if Q <= Q_c(N), and some motion "
                               "has for every greater Q\n(N does not decrease with Q: L83). There N steps "
-                              "from one value to the other, within the radius.\n",
+                              "from one value to the other.\n",
                               number)) +
            "At both ends of the enclosure N is proved, as by dumbbell certify: by tangents (Theorem B and "
            "L82 "
@@ -147,10 +147,18 @@ TableLine line_of(const Row& row, const Report& report, const char* more) {
     return line;
 }
 
+/// For people: which flight of which orbit decides is in the file and in JSON alone.
 std::string table_text(const Report& report) {
-    std::vector<TableLine> lines{heading(report)};
+    std::vector<TableLine> lines{{"N",
+                                  is_of_rods(report)      ? "mass of the rod"
+                                  : report.request.bodies ? "Q of the step"
+                                                          : "mass ratio of the step",
+                                  "to within", "bits of precision", "N before", "N after"}};
     for (const Row& row : report.rows) {
         lines.push_back(line_of(row, report, "..."));
+    }
+    for (TableLine& line : lines) {
+        line.resize(report.request.bodies ? line.size() : 4);
     }
     return aligned(lines, 1);
 }
@@ -172,13 +180,14 @@ std::string range_text(const Report& report) {
         text += foundation(*bodies) + "The digits are cut off, not rounded.\n";
     } else if (enclosed > 0) {
         text +=
-            "Proved: at q_c(N) the maximum steps from N - 1 to N.\n"
-            "It is within the radius of the digits shown (cut off, not rounded).\n";
+            "Proved: at this mass ratio, q_c(N), the maximum steps from N - 1 to N.\n"
+            "The digits are cut off, not rounded.\n";
         const bool first_is_long = flight::macro::is_long(report.request.first);
         const bool last_is_long = flight::macro::is_long(report.request.last);
-        text += first_is_long ? "" : foundation("that flight of the orbit");
+        text += first_is_long ? "" : foundation("a flight of one of two orbits");
         const std::string from = fmt::format("From N = {} on, j", flight::macro::first_long);
-        text += last_is_long ? long_foundation(first_is_long ? "J" : from, "that flight of the orbit") : "";
+        text +=
+            last_is_long ? long_foundation(first_is_long ? "J" : from, "a flight of one of two orbits") : "";
     }
     return text;
 }

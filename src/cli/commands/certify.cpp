@@ -305,7 +305,7 @@ int run_certify(const Given& given) {
 }  // namespace
 
 constinit const Command certify_command{
-    "certify", "Prove", certify_description, certify_footer, certify_options, stoppable<run_certify>,
-    {},        nullptr, certify_topics};
+    "certify", first_group, certify_description, certify_footer, certify_options, stoppable<run_certify>,
+    {},        nullptr,     certify_topics};
 
 }  // namespace dumbbell::cli

@@ -140,7 +140,7 @@ int run_critical(const Given& given) {
 
 }  // namespace
 
-constinit const Command critical_command{"critical",      "Prove",          critical_description,
+constinit const Command critical_command{"critical",      first_group,      critical_description,
                                          critical_footer, critical_options, stoppable<run_critical>};
 
 }  // namespace dumbbell::cli

@@ -147,7 +147,7 @@ int run_join(const Given& given) {
 
 }  // namespace
 
-constinit const Command join_command{"join",      "Prove",      join_description,
+constinit const Command join_command{"join",      more_group,   join_description,
                                      join_footer, join_options, stoppable<run_join>};
 
 }  // namespace dumbbell::cli

@@ -77,8 +77,8 @@ std::string accepted(const std::string& file, const std::string& demand, Observe
 
 }  // namespace
 
-constinit const Command verify_command{"verify", "Check", verify_description, verify_footer, verify_options,
-                                       nullptr,  {},      become_verifier};
+constinit const Command verify_command{
+    "verify", first_group, verify_description, verify_footer, verify_options, nullptr, {}, become_verifier};
 
 std::string verified(const std::string& file, const std::string& sha256, const collisions::System& system,
                      Observer& observer) {

@@ -106,9 +106,10 @@ struct Command {
     [[nodiscard]] std::string topic_names(const char* between) const;
 };
 
-/// Of a command below another: the group, if there is but one, and the footer, if it is that of the one
-/// above.
-inline constexpr const char* one_group = "Commands";
+/// The groups of a help: what most users want, or all if there is but one; and the rest.
+inline constexpr const char* first_group = "Commands";
+inline constexpr const char* more_group = "More";
+/// Of a command below another: the footer, if it is that of the one above.
 inline constexpr const char* inherited = "";
 
 /// What every command has, though its table does not say so; --version the program alone.

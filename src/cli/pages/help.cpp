@@ -102,7 +102,7 @@ std::string one_screen(const Place& place) {
     for (const Block& block : blocks(place.footer)) {
         footer += '\n' + filled(fmt::format("{}", fmt::join(block.lines, " ")), "", screen_columns);
     }
-    return fmt::format("{}\n\nUsage: {}\nMore:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
+    return fmt::format("{}\n\nUsage: {}\nHelp:  {} COMMAND --help, and: man dumbbell\n\n{}{}\n{}{}",
                        brief(*place.command), usage(place), place.name, commands_text(*place.command),
                        options, examples_text(description(*place.command)), footer);
 }

@@ -18,7 +18,7 @@ std::string trees(const Verified& proof) {
     std::string text =
         "PIECE is from 1 to " + std::to_string(proof.claim.pieces) + ", and the trees of a piece are ";
     for (const Chart& chart : proof.section->charts) text += std::string(chart.name) + ", ";
-    return text + "witness";
+    return text + "witness; where a lemma proves the bound there is the witness alone";
 }
 }  // namespace
 

@@ -64,7 +64,8 @@ std::string hypotheses_text(const Hypotheses& of) {
     const std::string delta = delta_text(of);
     const std::string margin = margin_text(of);
     const std::string states = fmt::format(
-        "For {}, epsilon = delta^2, and every state with |phidot| = 1 and -delta <= ydot <= 0 just before",
+        "For {}, epsilon = delta^2 the light mass's share, I = |phidot| (pi - arccos y),\n"
+        "and every state with |phidot| = 1 and -delta <= ydot <= 0 just before",
         delta);
     const std::string heights =
         fmt::format("at a height y from {} to {},", spelled(of.heights.first), spelled(of.heights.second));

@@ -125,7 +125,7 @@ int run_adiabatic(const Given& given) {
 
 }  // namespace
 
-constinit const Command adiabatic_command{"adiabatic",      "Prove",           adiabatic_description,
+constinit const Command adiabatic_command{"adiabatic",      more_group,        adiabatic_description,
                                           adiabatic_footer, adiabatic_options, stoppable<run_adiabatic>};
 
 }  // namespace dumbbell::cli

@@ -11,7 +11,7 @@ namespace dumbbell::cli {
 namespace {
 
 constexpr const char* audit_description =
-    R"(Prove exactly that a certificate's leaves tile the section, and its pieces the range.
+    R"(Check by exact geometry that a certificate's boxes neither overlap nor leave a hole.
 
 It derives every leaf's box again as exact rationals, and proves with CGAL's exact arithmetic that no two overlap and
 that their areas add up to the root's, whatever the tree says. It does not check what a leaf claims about its box:
@@ -59,7 +59,7 @@ int run_audit(const Given& given) {
 
 }  // namespace
 
-constinit const Command audit_command{"audit",      "Check",       audit_description,
+constinit const Command audit_command{"audit",      more_group,    audit_description,
                                       audit_footer, audit_options, run_audit};
 
 }  // namespace dumbbell::cli

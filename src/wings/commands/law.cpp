@@ -23,7 +23,7 @@ namespace dumbbell::cli {
 namespace {
 
 constexpr const char* law_description =
-    R"(State the law of N(q) for every mass ratio, or what it says of one.
+    R"(State the law: a formula with two close bounds, for every mass ratio.
 
 For every q >= 62.72, 2 + floor(C sqrt q - c0 q^(-1/4)) <= N(q) <= 2 + floor(C sqrt q), with its two constants
 (proofs/law.md). Its computed part is a certificate that comes with the program. The independent verifier checks it
@@ -177,7 +177,7 @@ int run_law(const Given& given) {
 
 }  // namespace
 
-constinit const Command law_command{"law",   "Check", law_description, law_footer, law_options,
-                                    run_law, {},      nullptr,         law_topics};
+constinit const Command law_command{"law",   more_group, law_description, law_footer, law_options,
+                                    run_law, {},         nullptr,         law_topics};
 
 }  // namespace dumbbell::cli

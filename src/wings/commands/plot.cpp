@@ -94,7 +94,7 @@ constexpr std::array body_picture_options =
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
                           int (*run)(const Given&)) {
-    return {name, one_group, text, inherited, options, run};
+    return {name, first_group, text, inherited, options, run};
 }
 
 constexpr Command staircase_picture =
@@ -109,6 +109,7 @@ constexpr std::array pictures{&staircase_picture, &orbit_picture, &phase_picture
 
 }  // namespace
 
-constinit const Command plot_command{"plot", "Show", plot_description, plot_footer, {}, nullptr, pictures};
+constinit const Command plot_command{"plot", more_group, plot_description, plot_footer,
+                                     {},     nullptr,    pictures};
 
 }  // namespace dumbbell::cli

@@ -81,7 +81,7 @@ int run_report(const Given& given) {
 
 }  // namespace
 
-constinit const Command report_command{"report",      "Show",         report_description,
+constinit const Command report_command{"report",      first_group,    report_description,
                                        report_footer, report_options, run_report};
 
 }  // namespace dumbbell::cli

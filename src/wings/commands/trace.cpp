@@ -269,7 +269,7 @@ int run_trace(const Given& given) {
 
 }  // namespace
 
-constinit const Command trace_command{"trace",      "Prove",       trace_description,
+constinit const Command trace_command{"trace",      more_group,    trace_description,
                                       trace_footer, trace_options, stoppable<run_trace>,
                                       {},           nullptr,       trace_topics};
 

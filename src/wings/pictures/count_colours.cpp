@@ -27,8 +27,8 @@ constexpr std::array<Colour, 10> colour_scale{{{253, 231, 37},
                                                {72, 40, 120},
                                                {68, 1, 84}}};
 
-/// Few counts do not use the whole scale: so 1, 2, 3, 4 have the same colours in all pictures of few counts.
-const Count least_steps = 3;
+/// Of the scale: 1 is its beginning, 4 its middle, and no count its end.
+const double half_way = 3;
 
 /// The share of the scale that stands out from a dark page.
 constexpr double share_on_dark = 0.84;
@@ -53,9 +53,8 @@ std::string count_kind(const Count& count) { return fmt::format("n{}", count); }
 std::map<Count, CountShade> count_shades(const std::vector<Count>& counts) {
     std::map<Count, CountShade> shades;
     for (const Count& count : counts) {
-        const Count first = std::max(Count(1), counts.front());
-        const auto steps = static_cast<double>(std::max(least_steps, counts.back() - first));
-        const double t = static_cast<double>(count - first) / steps;
+        const auto steps = static_cast<double>(count - 1);
+        const double t = steps / (steps + half_way);
         shades[count] = count == 0 ? CountShade{std::string(palette::no_collision.light),
                                                 std::string(palette::no_collision.dark)}
                                    : CountShade{colour_at(t), colour_at(t * share_on_dark)};

@@ -20,7 +20,7 @@ struct CountShade {
     [[nodiscard]] Shade shade() const { return {light, dark}; }
 };
 
-/// The colours of these counts in one picture. Precondition: ascending, none negative.
+/// The colours of these counts, the same in every picture. Precondition: ascending, none negative.
 [[nodiscard]] std::map<Count, CountShade> count_shades(const std::vector<Count>& counts);
 
 /// Gives each count its colour. Precondition: as count_shades.

@@ -76,7 +76,8 @@ TEST_CASE("critical --rho prints steps of bodies as it does ratios: as text, JSO
     const Outcome result =
         dumbbell({"critical", "4:5", "--rho", "0.25", "--out", "steps.tsv"}, folder.path());
     CHECK(result.code == 0);
-    CHECK_THAT(result.out, Contains("4  4.66455342222012...") && Contains("     3   5\n") && Contains("L83"));
+    CHECK_THAT(result.out,
+               Contains("4  4.66455342222012...") && Contains("     3        5\n") && Contains("L83"));
     CHECK_THAT(contents(folder / "steps.tsv"),
                StartsWith("# Steps of bodies.") &&
                    Contains("\n# N\tQ_c\tradius\tbits\tfrom\tto\n4\t4.66455342222012\t"));

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What docs/7-speed.md publishes is of the code as it is, and page, picture and data are one thing."""
+"""What docs/7-speed.md publishes is of the code as it is, and page, picture and data are one thing; the README rounds two of its figures."""
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -21,6 +22,12 @@ class Published(unittest.TestCase):
 
     def test_the_picture_is_drawn_from_the_data(self):
         self.assertEqual(published.drawn(), published.PICTURE.read_text())
+
+    def test_the_readme_rounds_the_data(self):
+        said = re.search(r"from 1 to 10\^6 take (\d+) s of one core together, 10\^100 alone (\d+) s", (published.ROOT / "README.md").read_text())
+        cost = {(row["case"], row["setting"]): float(row["cost"]) for row in published.read() if row["method"] == "prove"}
+        for words, job in zip(said.groups(), (("certify 1:1000000 --gap", "1e-9"), ("certify", "1e100"))):
+            self.assertTrue(2 / 3 < float(words) / cost[job] < 3 / 2, f"README says {words} s, the data {cost[job]}")
 
 
 if __name__ == "__main__":

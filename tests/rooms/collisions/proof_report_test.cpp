@@ -30,14 +30,21 @@ TEST_CASE("the table of a single ratio: ratio, N, the paper's bound, boxes, time
     const std::string text = to_text(ten.report);
     CHECK(line_of(text, "mass ratio") == Words{"mass", "ratio", "N", "paper", "boxes", "time"});
     CHECK(line_of(text, "10 ") == Words{"10", "4", "7", "2", "0.500", "s"});
-    CHECK_THAT(text, Contains("1 piece in 1.25 s with 2 threads"));
+    CHECK_THAT(text, Contains("N: the greatest number of collisions; paper: ") && !Contains("piece"));
 }
 
-TEST_CASE("below the table one sentence says what was proved") {
+TEST_CASE("a sentence before the table says what was proved") {
     const SampleReport ten({piece(10, 10, 4, 4)});
     CHECK_THAT(to_text(ten.report),
-               Contains("Proved: at mass ratio 10 no trajectory hits the floor more than 4 times, "
-                        "and some trajectory hits it 4 times.\n"));
+               StartsWith("Proved: at mass ratio 10 no trajectory hits the floor more than 4 times, "
+                          "and some trajectory hits it 4 times.\n"));
+}
+
+TEST_CASE("where no box was needed the table names the lemma") {
+    Piece one = piece(1, 1, 2, 2);
+    one.cover = {.equal_masses = true, .charts = {}};
+    CHECK(line_of(to_text(SampleReport({one}).report), "1 ") ==
+          Words{"1", "2", "3", "by", "L7", "0.500", "s"});
 }
 
 TEST_CASE("a single ratio that was not decided is not called proved") {
@@ -76,6 +83,8 @@ TEST_CASE("the sentence of a range says how much of it is decided") {
     CHECK_THAT(to_text(decided.report), Contains("Decided: all but 5e-40 of the range."));
     CHECK(parsed(to_json(decided.report))["decided_fraction"] < 1);
     CHECK(parsed(to_json(decided.report))["undecided_share"] == to_fraction(parse_rational("4.999e-40")));
+    decided.report.undecided = Rational(8, 9);
+    CHECK_THAT(to_text(decided.report), Contains("Decided: 0.111 of the range."));
     decided.report.undecided = 1;  // all of it, but for pieces of length 0, as 1:1 is
     CHECK_THAT(to_text(decided.report), Contains("Decided: single ratios only."));
 }

@@ -75,10 +75,10 @@ TEST_CASE("digits that the enclosure does not decide are never printed") {
 
 TEST_CASE("several ratios are a table, open ones marked") {
     const std::string text = to_text(sample());
-    CHECK_THAT(text, Contains("N  q_c         radius  bits   orbit  flight\n"
-                              "3  1                0   128     top       1\n"
-                              "4  4.60333...  8.9e-6   128  corner       1\n"
-                              "5  open             -     -     top       2\n"
+    CHECK_THAT(text, Contains("N  mass ratio of the step  to within  bits of precision\n"
+                              "3  1                               0                128\n"
+                              "4  4.60333...                 8.9e-6                128\n"
+                              "5  open                            -                  -\n"
                               "3 critical ratios in 1.25 s with 2 threads\n"));
     CHECK_THAT(text, Contains("Not finished: 1 of 3 are open."));
     CHECK_THAT(to_text(single({5, {}})), Contains("not enclosed") && !Contains("Proved"));

@@ -112,9 +112,9 @@ std::string meaning_text(const TraceReport& report) {
     return phi.empty()
                ? ""
                : fmt::format(
-                     "phi: {}, irrational and rounded outward; what is said is proved for every phi in\n  {} "
-                     ": {}\n",
-                     phi, to_fraction(report.box.lower(Axis::phi)), to_fraction(report.box.upper(Axis::phi)));
+                     "phi: {}, irrational and rounded outward; what is said is proved for every phi in the "
+                     "interval that --json gives\n",
+                     phi);
 }
 
 constexpr int share_digits = 12;
@@ -242,7 +242,7 @@ std::string to_text(const TraceReport& report) {
         text += fmt::format(
             "{} {}; rod length 1, phi in radians, y: height of the centre of mass. Each number is "
             "enclosed: "
-            "value+-radius.\n",
+            "value+-radius.\nGrazing sine: 1 where a mass hits head-on, near 0 where it only just touches.\n",
             report.box.rho ? fmt::format("Body of rho {}, Q", exact_text(*report.box.rho)) : "Mass ratio",
             report.box.lo[4] == report.box.hi[4]
                 ? exact_text(report.box.lo[4])

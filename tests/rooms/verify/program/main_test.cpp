@@ -318,7 +318,8 @@ TEST_CASE("the option --explain shows a leaf with its numbers") {
         CHECK(missing.code == 2);
         CHECK(missing.last() ==
               std::string("s UNREADABLE there is no leaf ") + leaf +
-                  "; PIECE is from 1 to 1, and the trees of a piece are bridge, light, witness");
+                  "; PIECE is from 1 to 1, and the trees of a piece are bridge, light, witness; where a "
+                  "lemma proves the bound there is the witness alone");
     }
     const File wrong(mutated(ten(), "upper 4", "upper 3"));
     const Run failing = run("--explain 1:bridge " + wrong.path());

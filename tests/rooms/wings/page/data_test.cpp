@@ -79,10 +79,10 @@ TEST_CASE("a tree's leaves are numbered by their kinds, counts last, and its axe
     CHECK(nodes[2] == -2);
     CHECK(kinds[nodes[1].get<std::size_t>()] ==
           Parsed::parse(R"({"reason": "count", "about": "", "forward": 1, "backward": 2,
-              "colour": ["#fde725", "#fde725"]})"));
+              "colour": ["#23908c", "#24a485"]})"));
     CHECK(kinds[nodes[3].get<std::size_t>()] ==
           Parsed::parse(R"({"reason": "count", "about": "", "forward": 0, "backward": 3,
-              "colour": ["#fde725", "#fde725"]})"));
+              "colour": ["#23908c", "#24a485"]})"));
     CHECK(kinds[nodes[4].get<std::size_t>()]["reason"] == "outside");
     CHECK(kinds[nodes[4].get<std::size_t>()]["colour"] == Parsed{"#e8eaed", "#39424c"});
     CHECK(kinds.back()["reason"] == "count");
