@@ -13,7 +13,7 @@ struct Box {
 };
 
 /// One thing to check: a leaf of a tree, a cover of one line, or a witness (the box: one point times [A, B]
-/// and [R0, R1]). A chart with a single axis besides q has it in place 1.
+/// and [R0, R1]).
 struct Leaf {
     std::size_t chart = 0, opcode = 0;
     mpz_class a = 0, b = 0, claimed = 0;  ///< two hints; U of the piece, for a witness V
