@@ -75,6 +75,12 @@ struct ChartTree {
     Tree tree;
 };
 
+/// An upper bound of bodies by orbits (x, p), and J < end (plane.md, L87 (a)).
+struct UpperBound {
+    long end = 0;
+    std::vector<std::pair<long, Rational>> orbits{};
+};
+
 /// The proof of an upper bound: a tree for each chart of the section, or a lemma.
 struct Cover {
     bool equal_masses = false;  ///< L7: the dumbbell with q = 1

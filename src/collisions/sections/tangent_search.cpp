@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "collisions/perpendicular.hpp"
 #include "collisions/sections/tangents.hpp"
 #include "collisions/witness.hpp"
 #include "flight/certain_count.hpp"
@@ -16,12 +17,6 @@ struct Best {
     long total = 0, hits = 0;
     Rational e = 0;
 };
-
-/// As many as this arithmetic tells places apart with.
-template <class I>
-int bits_of() {
-    return std::is_same_v<I, Interval> ? double_bits : PrecisionScope::current();
-}
 
 /// In between, by magnitude where that differs.
 Rational middle_place(const Rational& lo, const Rational& hi) {

@@ -78,8 +78,9 @@ class CellRule : Valley<N> {
         if (j == 0)
             return V <= most_in_corner && corner_has(V, R0, A)
                        ? fact("V <= ceil(pi/corner) at (R0, A)", true)
-                       : (mpz_odd_p(V.get_mpz_t()) != 0 ? Base::at_least("k0 >= (V - 1)/2", {rho1.hi, zero, r_bottom}, rest)
-                                     : through_corner(rest - 1));
+                       : (mpz_odd_p(V.get_mpz_t()) != 0
+                              ? Base::at_least("k0 >= (V - 1)/2", {rho1.hi, zero, r_bottom}, rest)
+                              : through_corner(rest - 1));
         Ray ray;
         return fact("2 j + 1 <= ceil(pi/corner) at (R0, A)",
                     2 * j < most_in_corner && corner_has(2 * j + 1, R0, A)) &&

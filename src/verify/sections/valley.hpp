@@ -78,7 +78,9 @@ class Valley : protected Rays<N> {
         ray = {(p + I(kappa) * from.x).lo, kappa, r};
         for (mpz_class i = j + 1; i < 2 * j; ++i) {
             look_at(ray, i);
-            if (bounce(ray, wall(i, rho), mpz_odd_p(i.get_mpz_t()) != 0 ? at.right : at.left) != Bounce::returns) return false;
+            if (bounce(ray, wall(i, rho), mpz_odd_p(i.get_mpz_t()) != 0 ? at.right : at.left) !=
+                Bounce::returns)
+                return false;
         }
         return true;
     }
@@ -92,7 +94,8 @@ class Valley : protected Rays<N> {
         ray = {(p + I(kappa) * from->x).hi, kappa, r};
         for (mpz_class i = j + 1; i < 2 * j; ++i) {
             look_at(ray, i);
-            if (!bounce_from_above(ray, wall(i, rho), mpz_odd_p(i.get_mpz_t()) != 0 ? at.right : at.left)) return false;
+            if (!bounce_from_above(ray, wall(i, rho), mpz_odd_p(i.get_mpz_t()) != 0 ? at.right : at.left))
+                return false;
         }
         return true;
     }
@@ -112,7 +115,9 @@ class Valley : protected Rays<N> {
     }
 
   private:
-    static I wall(const mpz_class& number, const I& rho) { return mpz_odd_p(number.get_mpz_t()) != 0 ? I(1) : rho; }
+    static I wall(const mpz_class& number, const I& rho) {
+        return mpz_odd_p(number.get_mpz_t()) != 0 ? I(1) : rho;
+    }
     void look_at(const Ray& ray, const mpz_class& number) {
         if (this->log_) this->log_->ray(number, {{": c ", I(ray.c)}, {" kappa ", I(ray.kappa)}});
     }
