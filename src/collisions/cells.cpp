@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "collisions/names.hpp"
+#include "collisions/piece_lines.hpp"
 #include "file/dyadic.hpp"
 #include "file/limits.hpp"
 #include "flight/corner.hpp"
@@ -73,12 +73,7 @@ class Cutter : SealedLines {
     }
 
     void cell(long most, const UpperBound& upper, const LowerBound& lower) {
-        std::string text =
-            fmt::format("cell {} {} {} {} {}", most, lower.bound, lower.j, to_dyadic(lower.p), upper.end);
-        for (const auto& [x, p] : upper.orbits) {
-            text += fmt::format(" {} {}", x, to_dyadic(p));
-        }
-        line("{}", text);
+        line("cell {} {} {} {} {}", most, lower.bound, lower.j, to_dyadic(lower.p), to_text(upper));
         found_.lower = found_.cells == 0 ? lower.bound : std::min(found_.lower, lower.bound);
         found_.upper = std::max(found_.upper.value_or(0), most);
         ++found_.cells;

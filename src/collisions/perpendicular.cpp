@@ -13,22 +13,26 @@ namespace {
 using flight::Ray;
 
 /// The places (0, hi) where something is not yet so, and from some place on is: the ends of a short stretch
-/// between them. A guess; `is_so` is asked about it again.
-template <class I, class IsSo>
-std::pair<Rational, Rational> threshold(double hi, const IsSo& is_so) {
+/// between them, or of one with the same count at both. A guess; `is_so` is asked about it again.
+template <class I, class IsSo, class Count>
+std::pair<Rational, Rational> threshold(double hi, const IsSo& is_so, const Count& count) {
     constexpr double least = 1e-18;
+    constexpr int often = 6;  // a count costs about as much as what is asked
     double lo = 0;
-    while (hi - lo > 1e-15 * hi && hi > least) {
+    bool is_enough = false;
+    for (int i = 1; hi - lo > 1e-15 * hi && hi > least && !is_enough; ++i) {
         const double middle = lo == 0 ? hi / 8 : hi > 4 * lo ? std::sqrt(lo * hi) : lo + (hi - lo) / 2;
         if (middle <= lo || middle >= hi) {
             break;
         }
         (is_so(I(middle)) ? hi : lo) = middle;
+        is_enough = i % often == 0 && count(I(lo)) == count(I(hi));
     }
     std::pair<Rational, Rational> ends{exact(lo), exact(hi)};
-    for (int bits = double_bits; bits < bits_of<I>(); ++bits) {
+    for (int bits = double_bits; bits < bits_of<I>() && !is_enough; ++bits) {
         const Rational middle = (ends.first + ends.second) / 2;
         (is_so(enclose<I>(middle)) ? ends.second : ends.first) = middle;
+        is_enough = bits % often == 0 && count(enclose<I>(ends.first)) == count(enclose<I>(ends.second));
     }
     return ends;
 }
@@ -45,6 +49,15 @@ Rational shortest(const Rational& p, bool above, const IsGood& is_good) {
         }
     }
     return p;
+}
+
+/// ceil(pi/corner); of more than most_in_corner a guess.
+long in_corner(const Rational& rho, const Rational& q) {
+    const long near = flight::corner_count(rho, q, most_in_corner);
+    const double l = rho.convert_to<double>(), r = 1 / q.convert_to<double>(),
+                 corner = std::atan2((1 + l) * std::sqrt(r), l - r);
+    return near <= most_in_corner ? near
+                                  : static_cast<long>(std::ceil(half_pi<Interval>().hi() * 2 / corner));
 }
 
 /// A side of a rectangle: all rho, one Q.
@@ -71,20 +84,22 @@ class Edge {
     }
     /// f(e_j) of all, from below, if j <= J.
     [[nodiscard]] std::pair<long, Rational> orbit_from_below(long j) const {
-        const auto passes = [&](const I& p, bool if_there_is_none = false) {
-            const auto behind = flight::outward_from_below(j, p, greatest_, r_);
-            return behind ? flight::passes_bridge(*behind, greatest_) : if_there_is_none;
-        };
         const auto collisions = [&](const I& p) {
             const auto behind = flight::outward_from_above(j, p, least_, r_);
             return behind ? count(flight::over_bridge(*behind)) : -1;
         };
-        // R is as high as 1 for all of them, the bridge only as the least one's.
-        const Rational p = threshold<I>(j % 2 != 0 ? greatest_.hi() : least_.lo(), [&](const I& x) {
-                               return passes(x, true);
-                           }).second;
-        const long found = passes(enclose<I>(p)) ? collisions(enclose<I>(p)) : -1;
-        return {found, shortest<I>(p, true, [&](const I& x) { return passes(x) && collisions(x) == found; })};
+        const Rational p = least_passing(j, collisions);
+        const long found = passes(j, enclose<I>(p)) ? collisions(enclose<I>(p)) : -1;
+        const auto is_good = [&](const I& x) { return passes(j, x) && collisions(x) == found; };
+        return {found, shortest<I>(p, true, is_good)};
+    }
+    /// About e_j, where the orbit that just passes touches the bridge; the top for j = 0.
+    [[nodiscard]] I touching_place(long j) const {
+        const auto any = [](const I&) { return std::nan(""); };  // equal to nothing: as close as can be
+        const auto behind =
+            j > 0 ? flight::outward_from_below(j, enclose<I>(least_passing(j, any)), greatest_, r_)
+                  : std::nullopt;
+        return half_pi<I>() - (behind ? asin(behind->kappa / greatest_) : I(0));
     }
 
     /// k0, and f(e_j) of all that have so many hits in the valley, each from above; most + 1: it is not
@@ -101,17 +116,33 @@ class Edge {
             const auto behind = flight::outward_from_below(j, p, greatest_, r_);
             return behind ? at_most(flight::over_bridge(*behind), most) : most + 1;
         };
-        const Rational p = threshold<I>(least_.lo(), misses).first;
+        const Rational p = threshold<I>(least_.lo(), misses, collisions).first;
         const long found = collisions(enclose<I>(p));
         const auto is_good = [&](const I& x) { return !misses(x) && collisions(x) <= found; };
         return {found, p == 0 ? p : shortest<I>(p, false, is_good)};
     }
-    /// T, from above, if J is `hits`.
+    /// J from above, and T if J is `hits`.
+    [[nodiscard]] long hits_at_most() const {
+        return flight::corner_hits_at_most(greatest_, r_, cap_, interrupted_);
+    }
     [[nodiscard]] long even_at_most(long hits, long most) const {
         return flight::even_at_most(hits, greatest_, r_, most, interrupted_);
     }
 
   private:
+    /// About where the orbit (j, p) begins to pass the bridge.
+    template <class Count>
+    [[nodiscard]] Rational least_passing(long j, const Count& count) const {
+        // R is as high as 1 for all of them, the bridge only as the least one's.
+        const double hi = j % 2 != 0 ? greatest_.hi() : least_.lo();
+        return threshold<I>(
+                   hi, [&](const I& p) { return passes(j, p, true); }, count)
+            .second;
+    }
+    [[nodiscard]] bool passes(long j, const I& p, bool if_there_is_none = false) const {
+        const auto behind = flight::outward_from_below(j, p, greatest_, r_);
+        return behind ? flight::passes_bridge(*behind, greatest_) : if_there_is_none;
+    }
     [[nodiscard]] long count(const Ray<I>& highest) const {
         return as_long(count_at_least(highest, cap_, interrupted_));
     }
@@ -129,7 +160,7 @@ class Edge {
 template <class I>
 LowerBound least_collisions(const Rectangle& bodies, const Interrupted& interrupted) {
     const Edge<I> edge(bodies, bodies.q.lo, interrupted);
-    const long near = flight::corner_count(bodies.rho.lo, bodies.q.lo, most_in_corner);
+    const long near = in_corner(bodies.rho.lo, bodies.q.lo);
     LowerBound best{near};
     const auto take = [&best](const LowerBound& found) { best = found.bound > best.bound ? found : best; };
     take({1 + 2 * edge.top()});
@@ -149,7 +180,8 @@ std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Int
     const Edge<I> edge(bodies, bodies.q.hi, interrupted);
     const long near = flight::corner_count(bodies.rho.hi, bodies.q.hi, most_in_corner),
                half = (upper - 1) / 2;
-    UpperBound found{(near + 1) / 2, {}};
+    const bool is_known = near <= most_in_corner;
+    UpperBound found{is_known ? (near + 1) / 2 : edge.hits_at_most() + 1};
     long beyond = bodies.rho.lo == 1 ? 0 : edge.top_at_most(half);
     if (beyond > half) {
         return std::nullopt;
@@ -164,13 +196,25 @@ std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Int
     }
     const long last = half + 1 - found.end;
     const bool may_be_even =
-        upper % 2 == 1 && near % 2 == 0 && edge.even_at_most(found.end - 1, last) >= last;
+        upper % 2 == 1 && (!is_known || near % 2 == 0) && edge.even_at_most(found.end - 1, last) >= last;
     return may_be_even ? std::nullopt : std::optional(found);
+}
+
+template <class I>
+Rational touching_place(long j, const Rational& rho, const Rational& q) {
+    const I e = low_end(Edge<I>({{rho, rho}, {q, q}}, q, never).touching_place(j));
+    if constexpr (std::is_same_v<I, Interval>) {
+        return exact(e.lo());
+    } else {
+        return exact_lo(e);
+    }
 }
 
 template LowerBound least_collisions<Interval>(const Rectangle&, const Interrupted&);
 template LowerBound least_collisions<BigInterval>(const Rectangle&, const Interrupted&);
 template std::optional<UpperBound> at_most<Interval>(long, const Rectangle&, const Interrupted&);
 template std::optional<UpperBound> at_most<BigInterval>(long, const Rectangle&, const Interrupted&);
+template Rational touching_place<Interval>(long, const Rational&, const Rational&);
+template Rational touching_place<BigInterval>(long, const Rational&, const Rational&);
 
 }  // namespace dumbbell::collisions

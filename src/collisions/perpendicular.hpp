@@ -35,5 +35,9 @@ template <class I = Interval>
 template <class I = Interval>
 [[nodiscard]] std::optional<UpperBound> at_most(long upper, const Rectangle& bodies,
                                                 const Interrupted& interrupted = never);
+/// About the place e_j of the bridge that the orbit with the middle collision j touches (L81 of body.md); the
+/// top for j = 0.
+template <class I>
+[[nodiscard]] Rational touching_place(long j, const Rational& rho, const Rational& q);
 
 }  // namespace dumbbell::collisions

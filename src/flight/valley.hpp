@@ -37,23 +37,17 @@ Bounce bounce_from_below(Ray<I>& flight, const I& height) {
     return Bounce::returns;
 }
 
-/// The tangent of the bridge at corner distance e, at its lowest: to the right and down into the valley, or
-/// to the left and up. Preconditions: 0 <= e < pi/2; rho and r enclose those of the bodies.
+/// The straight wedge's ray along the bridge, from below (L82).
 template <class I>
-Ray<I> tangent_into_valley(const I& e, const I& rho, const I& r) {
-    const SinCos<I> at = sin_cos(e);
-    return {max(I(0), low_end(rho * (at.sin - e * at.cos))), low_end(-(rho * at.cos)), low_end(r)};
-}
-template <class I>
-Ray<I> tangent_upward(const I& e, const I& rho, const I& r) {
-    const SinCos<I> at = sin_cos(e);
-    return {low_end(rho * (at.sin + (pi<I>() - e) * at.cos)), low_end(rho * at.cos), low_end(r)};
+Ray<I> along_bridge(const I& rho, const I& r) {
+    return {I(0), low_end(-rho), low_end(r)};
 }
 
-/// An upper bound of the hits of the bridge of all flights above `flight` that go into the valley; `cap` + 1
-/// if none up to `cap` is certain.
+/// An upper bound of J, the hits of the bridge by that ray; `cap` + 1 if none up to `cap` is certain. rho and
+/// r enclose those of the body.
 template <class I>
-long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupted& interrupted) {
+long corner_hits_at_most(const I& rho, const I& r, long cap, const Interrupted& interrupted) {
+    Ray<I> flight = along_bridge(rho, r);
     for (long hits = 0; hits <= cap && !ends_early(hits, interrupted); ++hits) {
         const Bounce at_wall = bounce_from_below(flight, I(1));
         const Bounce at_bridge = at_wall == Bounce::returns ? bounce_from_below(flight, rho) : Bounce::misses;
@@ -67,11 +61,10 @@ long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupte
     return cap + 1;
 }
 
-/// An upper bound of T if J is `hits` (L82): the straight wedge's ray along the bridge, behind 2 J + 1
-/// bounces; `cap` + 1 if none up to `cap` is certain. rho and r enclose those of the body.
+/// An upper bound of T if J is `hits` (L82): that ray behind 2 J + 1 bounces; `cap` + 1 likewise.
 template <class I>
 long even_at_most(long hits, const I& rho, const I& r, long cap, const Interrupted& interrupted) {
-    Ray<I> ray{I(0), low_end(-rho), low_end(r)};
+    Ray<I> ray = along_bridge(rho, r);
     for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
         if (ends_early(bounces, interrupted)) {
             return cap + 1;

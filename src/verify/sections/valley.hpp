@@ -39,11 +39,9 @@ class Valley : protected Rays<N> {
         ray.c = std::max(zero, (h * at.sine + I(ray.kappa) * at.x).lo);
         return Bounce::returns;
     }
-    /// The straight wedge's ray along the bridge: c = 0.
-    [[nodiscard]] Ray along_bridge(const I& rho, const N& r) const { return {zero, -rho.hi, r}; }
-
-    /// Certified: no flight above `ray` hits the bridge more than `most` times.
-    bool hits_at_most(Ray ray, const I& rho, const mpz_class& most) {
+    /// Certified: the straight wedge's ray along the bridge (L82) hits it at most so often.
+    bool corner_hits_at_most(const mpz_class& most, const I& rho, const N& r) {
+        Ray ray = along_bridge(rho, r);
         Guesses at;
         for (mpz_class hits = 0;; ++hits) {
             look_at(ray, hits);
@@ -115,6 +113,7 @@ class Valley : protected Rays<N> {
     }
 
   private:
+    [[nodiscard]] Ray along_bridge(const I& rho, const N& r) const { return {zero, -rho.hi, r}; }
     static I wall(const mpz_class& number, const I& rho) {
         return mpz_odd_p(number.get_mpz_t()) != 0 ? I(1) : rho;
     }

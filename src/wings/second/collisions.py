@@ -4,8 +4,8 @@ import body
 import cells
 import full
 import gaps
+import perpendicular
 import plain
-import tangents
 import turning
 import wedge
 from demand import interval_text, part_text, ratio_text
@@ -20,7 +20,7 @@ SECTIONS = {
     ("1", "wedge", "turning"): wedge,
     ("1", "hybrid", "turning"): wedge,
     ("body", "body", "full"): body.Bodies,
-    ("body", "body", "tangents"): tangents.Tangents,
+    ("body", "body", "perpendicular"): perpendicular.Perpendicular,
     ("body", "body", "cells"): cells,
 }
 
@@ -103,7 +103,7 @@ def check(lines, header, judge):
     if section is cells:
         ratios, rho, upper, lower, source = cells.check(lines, judge)
         return Staircase("body", rho, False, [(*ratios, upper, lower)], source)
-    every_body = section is tangents.Tangents
+    every_body = section is perpendicular.Perpendicular
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not (1 <= lo or every_body) or lo > hi:
         raise lines.wrong("number", "not 1 <= LO <= HI")
@@ -126,8 +126,8 @@ def check(lines, header, judge):
         pieces.append((a, b, *piece(lines, section, a, b, judge)))
     kinds = ["split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "open"]
     again = header[2] == "full" and not rho
-    if again or (rho and not every_body):
-        kinds.insert(7, "once" if again else "symmetric")
+    if again or rho:
+        kinds.insert(7, "once" if again else "orbits" if every_body else "symmetric")
     return Staircase(header[1], rho, again, pieces, f"sha256={lines.trailer(kinds)}")
 
 
@@ -172,6 +172,8 @@ def cover(lines, section, a, b, upper, bits, judge):
             raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
         judge(lambda: section.leaf(chart, op, values, box, upper), ends(box), bits, lines.wrong(op, "not certified"))
 
+    if not section.LEAVES:
+        section.orbits(lines, b, upper, bits, judge)
     for number, chart in enumerate(section.LEAVES):
         fields = lines.next()
         if number == 0 and fields[0] != "chart":
