@@ -109,7 +109,7 @@ class Edge {
     }
     [[nodiscard]] std::pair<long, Rational> orbit_from_above(long j, long most) const {
         const auto misses = [&](const I& p) {
-            const auto behind = flight::outward_from_above(j, p, least_, r_);
+            const auto behind = interrupted_() ? std::nullopt : flight::outward_from_above(j, p, least_, r_);
             return !behind || !flight::hits_bridge(*behind, least_);
         };
         const auto collisions = [&](const I& p) {
@@ -140,7 +140,7 @@ class Edge {
             .second;
     }
     [[nodiscard]] bool passes(long j, const I& p, bool if_there_is_none = false) const {
-        const auto behind = flight::outward_from_below(j, p, greatest_, r_);
+        const auto behind = interrupted_() ? std::nullopt : flight::outward_from_below(j, p, greatest_, r_);
         return behind ? flight::passes_bridge(*behind, greatest_) : if_there_is_none;
     }
     [[nodiscard]] long count(const Ray<I>& highest) const {

@@ -52,7 +52,7 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
                Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
     CHECK_THAT(refused_body({"--rho", "1/2:0.51", "--inertia", "9"}), Contains("--rho is one number"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
-               Contains("proved by their tangents, or by --section plain"));
+               Contains("proved by perpendicular orbits, or by --section plain"));
     CHECK_THAT(refused_body({"--scene", "body", "--list", "-"}), Contains("--scene body needs --rho"));
 }
 

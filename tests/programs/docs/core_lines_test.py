@@ -44,7 +44,7 @@ OUTSIDE = {
     "wedge": OTHER_SECTION,
     "hybrid": OTHER_SECTION,
     "body": OTHER_SECTION,
-    "tangents": OTHER_SECTION,
+    "perpendicular": OTHER_SECTION,
     "cells": OTHER_SECTION,
 }
 
