@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "verify/core/section.hpp"
-#include "verify/core/settings.hpp"
 #include "verify/core/tree.hpp"
 
 namespace dumbbell_verify {
@@ -57,12 +56,11 @@ struct Proofs {
         };
         const auto opcode = std::find_if(section.opcodes.begin(), section.opcodes.end(), fits);
         if (opcode == section.opcodes.end()) text.reject("opcode", "not a line for this place");
-        const std::size_t values = fields.size() - hints;
-        const bool fits_count = opcode->hints == with_orbits ? values % 2 == 1 : values == opcode->hints;
-        if (!fits_count || (place == Place::witness && leaf.chart == 0 && fields[1] != section.witness))
+        if ((opcode->hints > 2 ? (fields.size() - hints) % 2 == 0 : fields.size() != hints + opcode->hints) ||
+            (place == Place::witness && leaf.chart == 0 && fields[1] != section.witness))
             text.reject("syntax", "wrong number of values, or unknown kind");
         if (opcode->hints > 0) leaf.a = text.long_natural(hints);
-        for (std::size_t i = hints + 1; opcode->hints == with_orbits && i < fields.size(); i += 2)
+        for (std::size_t i = hints + 1; opcode->hints > 2 && i < fields.size(); i += 2)
             leaf.orbits.emplace_back(text.long_natural(i), text.dyadic(i + 1));
         if (opcode->hints == 2) leaf.b = text.long_natural(hints + 1);
         leaf.opcode = static_cast<std::size_t>(opcode - section.opcodes.begin());

@@ -29,10 +29,8 @@ enum class Place { leaf, cover, witness };
 struct Opcode {
     std::string_view name;
     Place place;
-    unsigned charts,
-        hints;  ///< bit set of the charts that it occurs in; number of its hints (0 to 2), or with_orbits
+    unsigned charts, hints;  ///< bit set of its charts; number of its hints: 0 to 2; 3: one, and pairs
 };
-constexpr unsigned with_orbits = 3;  ///< one hint, and any number of pairs
 /// The places of the opcodes in every section's table; one that it does not have occurs in no chart.
 enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
 

@@ -41,7 +41,7 @@ const Section& perpendicular() {
                                      {"meets-reversed", Place::leaf, 0, 0},
                                      {"equal-masses", Place::cover, 0, 0},
                                      {"witness", Place::witness, 3, 2},
-                                     {"orbits", Place::cover, 1, with_orbits}},
+                                     {"orbits", Place::cover, 1, 3}},
                                     perpendicular_root,
                                     check_perpendicular,
                                     false,
