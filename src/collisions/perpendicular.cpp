@@ -15,26 +15,19 @@ using flight::Ray;
 /// The places (0, hi) where something is not yet so, and from some place on is: the ends of a short stretch
 /// between them, or of one with the same count at both. A guess; `is_so` is asked about it again.
 template <class I, class IsSo, class Count>
-std::pair<Rational, Rational> threshold(double hi, const IsSo& is_so, const Count& count) {
-    constexpr double least = 1e-18;
-    constexpr int often = 6;  // a count costs about as much as what is asked
-    double lo = 0;
-    bool is_enough = false;
-    for (int i = 1; hi - lo > 1e-15 * hi && hi > least && !is_enough; ++i) {
-        const double middle = lo == 0 ? hi / 8 : hi > 4 * lo ? std::sqrt(lo * hi) : lo + (hi - lo) / 2;
-        if (middle <= lo || middle >= hi) {
+std::pair<Rational, Rational> threshold(double end, const IsSo& is_so, const Count& count) {
+    constexpr int by_magnitude = 12, often = 6;  // a count costs about as much as what is asked
+    Rational lo = 0, hi = exact(end);
+    for (int i = 1; i < bits_of<I>() + by_magnitude; ++i) {
+        const Rational middle = lo == 0       ? hi / 8
+                                : hi > 4 * lo ? exact(std::sqrt(Rational(lo * hi).convert_to<double>()))
+                                              : (lo + hi) / 2;
+        (is_so(enclose<I>(middle)) ? hi : lo) = middle;
+        if (i % often == 0 && count(enclose<I>(lo)) == count(enclose<I>(hi))) {
             break;
         }
-        (is_so(I(middle)) ? hi : lo) = middle;
-        is_enough = i % often == 0 && count(I(lo)) == count(I(hi));
     }
-    std::pair<Rational, Rational> ends{exact(lo), exact(hi)};
-    for (int bits = double_bits; bits < bits_of<I>() && !is_enough; ++bits) {
-        const Rational middle = (ends.first + ends.second) / 2;
-        (is_so(enclose<I>(middle)) ? ends.second : ends.first) = middle;
-        is_enough = bits % often == 0 && count(enclose<I>(ends.first)) == count(enclose<I>(ends.second));
-    }
-    return ends;
+    return {lo, hi};
 }
 
 /// The shortest dyadic near p > 0, below or above, that is as good: files spell it.
@@ -121,9 +114,9 @@ class Edge {
         const auto is_good = [&](const I& x) { return !misses(x) && collisions(x) <= found; };
         return {found, p == 0 ? p : shortest<I>(p, false, is_good)};
     }
-    /// J from above, and T if J is `hits`.
-    [[nodiscard]] long hits_at_most() const {
-        return flight::corner_hits_at_most(greatest_, r_, cap_, interrupted_);
+    /// Whether J is certainly at most `hits`, and T, from above, if it is.
+    [[nodiscard]] bool corner_hits_at_most(long hits) const {
+        return flight::corner_hits_at_most(hits, greatest_, r_, interrupted_);
     }
     [[nodiscard]] long even_at_most(long hits, long most) const {
         return flight::even_at_most(hits, greatest_, r_, most, interrupted_);
@@ -178,10 +171,12 @@ LowerBound least_collisions(const Rectangle& bodies, const Interrupted& interrup
 template <class I>
 std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Interrupted& interrupted) {
     const Edge<I> edge(bodies, bodies.q.hi, interrupted);
-    const long near = flight::corner_count(bodies.rho.hi, bodies.q.hi, most_in_corner),
-               half = (upper - 1) / 2;
+    const long near = in_corner(bodies.rho.hi, bodies.q.hi), half = (upper - 1) / 2;
     const bool is_known = near <= most_in_corner;
-    UpperBound found{is_known ? (near + 1) / 2 : edge.hits_at_most() + 1};
+    UpperBound found{(near + 1) / 2};
+    if (!is_known && !edge.corner_hits_at_most(found.end - 1)) {
+        return std::nullopt;
+    }
     long beyond = bodies.rho.lo == 1 ? 0 : edge.top_at_most(half);
     if (beyond > half) {
         return std::nullopt;

@@ -11,9 +11,6 @@ class Valley:
         self.rho, self.r = interval(rho), interval(1 / q).lower()
         self.walls = interval(1), self.rho
 
-    def along_bridge(self):
-        return interval(0), (-self.rho).lower()
-
     def bounce(self, wall, c, kappa):
         """Whether the wall may be hit, and the flight that comes back, or None if certainly none does."""
         height = self.walls[wall]
@@ -31,24 +28,24 @@ class Valley:
         kappa = (top / (d.upper() if top.lo >= 0 else d.lower())).lower()
         return True, (point(max((height * sine + kappa * x).lower().lo, 0)), kappa)
 
-    def corner_hits_at_most(self, most):
-        """Is J <= most?"""
-        ray = self.along_bridge()
-        for hits in range(most + 1):
-            ray = self.bounce(0, *ray)[1]
-            if ray is None:
-                return True
-            hit, ray = self.bounce(1, *ray)
-            if not hit or (ray is None and hits < most):
-                return True
-        return False
-
-    def even_at_most(self, hits, most):
-        """Is T <= most, if J is `hits`?"""
-        ray = self.along_bridge()
+    def along_bridge(self, hits):
+        """The straight wedge's ray along the bridge, behind 2 hits + 1 bounces, or None if it ends before."""
+        ray = interval(0), (-self.rho).lower()
         for number in range(2 * hits + 1):
             ray = self.bounce(number % 2, *ray)[1]
             if ray is None:
-                return most >= 0
+                return None
+        return ray
+
+    def corner_hits_at_most(self, most):
+        """Is J <= most?"""
+        ray = self.along_bridge(most)
+        return ray is None or ray[1] >= self.rho
+
+    def even_at_most(self, hits, most):
+        """Is T <= most, if J is `hits`?"""
+        ray = self.along_bridge(hits)
+        if ray is None or most < 0:
+            return most >= 0
         kappa = ray[1]
-        return most >= 0 and at_most((pi() * kappa).lower(), kappa, self.r, most)
+        return at_most((pi() * kappa).lower(), kappa, self.r, most)
