@@ -197,12 +197,7 @@ std::optional<UpperBound> at_most(long upper, const Rectangle& bodies, const Int
 
 template <class I>
 Rational touching_place(long j, const Rational& rho, const Rational& q) {
-    const I e = low_end(Edge<I>({{rho, rho}, {q, q}}, q, never).touching_place(j));
-    if constexpr (std::is_same_v<I, Interval>) {
-        return exact(e.lo());
-    } else {
-        return exact_lo(e);
-    }
+    return exact_lo(Edge<I>({{rho, rho}, {q, q}}, q, never).touching_place(j));
 }
 
 template LowerBound least_collisions<Interval>(const Rectangle&, const Interrupted&);
