@@ -17,8 +17,9 @@ using flight::Ray;
 template <class I, class IsSo, class Count>
 std::pair<Rational, Rational> threshold(double end, const IsSo& is_so, const Count& count) {
     constexpr int by_magnitude = 12, often = 6;  // a count costs about as much as what is asked
+    const int bits = bits_of<I>(), least_place = std::min(bits, 900);  // a double is not 0 there
     Rational lo = 0, hi = exact(end);
-    for (int i = 1; i < bits_of<I>() + by_magnitude; ++i) {
+    for (int i = 1; i < (lo == 0 ? least_place / 3 : bits + by_magnitude); ++i) {
         const Rational middle = lo == 0       ? hi / 8
                                 : hi > 4 * lo ? exact(std::sqrt(Rational(lo * hi).convert_to<double>()))
                                               : (lo + hi) / 2;

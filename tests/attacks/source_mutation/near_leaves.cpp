@@ -103,7 +103,7 @@ class Maker {
         const double rho = std::exp(uniform(-3, 0)), q = std::exp2(uniform(-1, 7)),
                      grow = below(3) == 0 ? 0.02 : 0;
         Cell cell;
-        set_bits(cell, bits_);
+        set_bits(cell, below(2) == 0 ? bits_ : 5 + static_cast<unsigned>(below(4)));
         cell.box.lo = {0, 0, std::max(mpq_class(1, 2), rounded(q)), std::max(mpq_class(1, 16), rounded(rho))};
         cell.box.hi = {0, 0, cell.box.lo[2] * mpq_class(1 + grow), cell.box.lo[3] * mpq_class(1 + grow)};
         if (below(6) == 0 || cell.box.hi[3] > 1) cell.box.lo[3] = cell.box.hi[3] = 1;
