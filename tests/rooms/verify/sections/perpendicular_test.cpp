@@ -66,8 +66,8 @@ TEST_CASE("section perpendicular: one less or more in any line is refused") {
 TEST_CASE("section perpendicular: a corner with more than 10,000 collisions is bounded by the wedge's ray") {
     for (const auto& [rho, upper, orbits] :
          {std::tuple("9/10 9/10", 14882, "7441 6624 1903b-14 7425 9b-12"), {"1/1 1/1", 15708, "7854"}}) {
-        const auto of = [&](int most, const std::string& line) {
-            return said_of(text_of("100000000/1 100000000/1", rho, most, line));
+        const auto of = [body = std::string(rho)](int most, const std::string& line) {
+            return said_of(text_of("100000000/1 100000000/1", body, most, line));
         };
         const std::string end(orbits, 4), others(orbits + 4), less = std::to_string(std::stoi(end) - 1);
         CHECK(of(upper, orbits) == "verified");
