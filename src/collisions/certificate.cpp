@@ -17,8 +17,8 @@ long Cover::leaves() const {
 
 Status Piece::status() const {
     // N of bodies may leap over a number (L83).
-    const bool leaps = !cover.charts.empty() && cover.charts.front().chart == Chart::tangent;
-    if (!upper || *upper > lower + (leaps ? 2 : 1)) {
+    const int leap = cover.orbits ? 2 : 1;
+    if (!upper || *upper > lower + leap) {
         return Status::open;
     }
     return *upper == lower ? Status::exact : Status::gap;

@@ -42,7 +42,7 @@ struct System {
 };
 
 /// A family of states that boxes cover, of a section (sections/). What is known of each is a row (chart.hpp).
-enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again, tangent };
+enum class Chart { bridge, light, contact, departure, plain_contact, plain_departure, again };
 
 /// The axes of a chart's boxes: the position e, the slope (eta in the chart bridge, lambda in the chart
 /// light), and the mass ratio q, or Q of bodies.
@@ -74,10 +74,17 @@ struct ChartTree {
     Tree tree;
 };
 
-/// The proof of an upper bound: a tree for each chart of the section, or a lemma.
+/// An upper bound of bodies by orbits (x, p), and J < end (plane.md, L87 (a)).
+struct UpperBound {
+    long end = 0;
+    std::vector<std::pair<long, Rational>> orbits{};
+};
+
+/// The proof of an upper bound: a tree for each chart of the section, a lemma, or orbits.
 struct Cover {
     bool equal_masses = false;  ///< L7: the dumbbell with q = 1
     bool symmetric = false;     ///< L72: bodies with rho = 1
+    std::optional<UpperBound> orbits{};
     std::vector<ChartTree> charts;
 
     [[nodiscard]] long leaves() const;

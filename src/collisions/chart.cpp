@@ -6,7 +6,7 @@ namespace {
 /// In the order of Chart.
 constexpr std::array chart_rows{&bridge_chart,    &light_chart,         &contact_chart,
                                 &departure_chart, &plain_contact_chart, &plain_departure_chart,
-                                &again_chart,     &tangent_chart};
+                                &again_chart};
 
 /// The least power of two that is >= x, and >= 1.
 double power_of_two_from(const Rational& x) {

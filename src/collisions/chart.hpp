@@ -60,7 +60,7 @@ struct ChartRow {
 
 /// What row_of gives, each defined where its section is.
 extern const ChartRow bridge_chart, light_chart, contact_chart, departure_chart, plain_contact_chart,
-    plain_departure_chart, again_chart, tangent_chart;
+    plain_departure_chart, again_chart;
 
 [[nodiscard]] std::string_view axis_name(Chart chart, Axis axis);
 /// The other way round; nothing for an unknown word.

@@ -49,7 +49,8 @@ namespace dumbbell::collisions {
     return {};
 }
 
-/// The cover of one line of equal masses (L7), and of symmetric bodies (L72).
-inline constexpr std::string_view equal_masses_word = "equal-masses", symmetric_word = "symmetric";
+/// The cover of one line of equal masses (L7), of symmetric bodies (L72), and by orbits (L87).
+inline constexpr std::string_view equal_masses_word = "equal-masses", symmetric_word = "symmetric",
+                                  orbits_word = "orbits";
 
 }  // namespace dumbbell::collisions

@@ -31,7 +31,9 @@ template <class I>
 std::optional<Cover> prove_upper(const Rational& q_lo, const Rational& q_hi, const Count& upper,
                                  const PieceOptions& options) {
     const SectionRow& row = row_of(options.system.section);
-    if (auto known = row.by_lemma ? row.by_lemma({q_lo, q_hi}, upper, options.system) : std::nullopt) {
+    const auto& by_lemma = std::get<BoundSearch<I>>(row.bounds).by_lemma;
+    auto known = by_lemma ? by_lemma({q_lo, q_hi}, upper, options.system, options.interrupted) : std::nullopt;
+    if (known || row.charts.empty()) {
         return known;
     }
     const CoverOptions limits{.max_nodes = options.max_nodes,

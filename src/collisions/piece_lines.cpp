@@ -7,6 +7,14 @@
 
 namespace dumbbell::collisions {
 
+std::string to_text(const UpperBound& bound) {
+    std::string text = std::to_string(bound.end);
+    for (const auto& [x, p] : bound.orbits) {
+        text += fmt::format(" {} {}", x, to_dyadic(p));
+    }
+    return text;
+}
+
 void PieceLines::proof(const Piece& piece) {
     line("bits {}", piece.bits);
     if (piece.upper) {
@@ -32,6 +40,10 @@ void PieceLines::cover(const Cover& cover) {
         line("{}", word);
         count(word);
         return;
+    }
+    if (cover.orbits) {
+        line("{} {}", orbits_word, to_text(*cover.orbits));
+        count(orbits_word);
     }
     for (const ChartTree& part : cover.charts) {
         line("chart {}", row_of(part.chart).name);

@@ -2,12 +2,16 @@
 
 #include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "collisions/certificate.hpp"
 #include "file/sealed_lines.hpp"
 
 namespace dumbbell::collisions {
+
+/// `E [x p]...`: format-sections.md, sections 5 and 6.
+[[nodiscard]] std::string to_text(const UpperBound& bound);
 
 /// Writes the proofs of pieces, and counts their lines for the trailer.
 class PieceLines : public SealedLines {

@@ -212,7 +212,10 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
 
 /// What proves the upper bound: so many boxes, or a lemma that needs none.
 std::string boxes_text(const Cover& cover) {
-    return cover.equal_masses ? "by L7" : cover.symmetric ? "by L72" : fmt::format("{}", cover.leaves());
+    return cover.equal_masses ? "by L7"
+           : cover.symmetric  ? "by L72"
+           : cover.orbits     ? "by L87"
+                              : fmt::format("{}", cover.leaves());
 }
 
 std::string pieces_table(const ProofReport& report) {
@@ -230,13 +233,12 @@ std::string pieces_table(const ProofReport& report) {
     const bool by_lemma =
         std::ranges::any_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
     return aligned(lines, 0) +
-           fmt::format("{}N: the greatest number of collisions;{} boxes: {}{}.\n",
-                       report.claim.system.rho ? "Q: of the body (certify --help bodies); " : "",
-                       row.has_paper_bound ? " paper: the bound of the source paper;" : "",
-                       row.charts.front() == Chart::tangent
-                           ? "intervals of contacts, by Theorem B of proofs/body.md"
-                           : "the parts that together hold all motions, each with a reason",
-                       by_lemma ? "; by L...: a lemma of proofs/ needs none" : "");
+           fmt::format(
+               "{}N: the greatest number of collisions;{} boxes: the parts that together hold all "
+               "motions, each with a reason{}.\n",
+               report.claim.system.rho ? "Q: of the body (certify --help bodies); " : "",
+               row.has_paper_bound ? " paper: the bound of the source paper;" : "",
+               by_lemma ? "; by L...: a lemma of proofs/ needs none" : "");
 }
 
 }  // namespace

@@ -43,8 +43,23 @@ ChartTree tree_from(Lines& lines, Chart chart) {
     return {chart, std::move(tree)};
 }
 
+UpperBound orbits_from(Lines& lines) {
+    const auto& fields = lines.next();
+    if (fields[0] != orbits_word || fields.size() % 2 != 0) {
+        lines.fail();
+    }
+    UpperBound bound{lines.number(fields[1])};
+    for (std::size_t i = 2; i < fields.size(); i += 2) {
+        bound.orbits.emplace_back(lines.number(fields[i]), lines.dyadic(fields[i + 1]));
+    }
+    return bound;
+}
+
 Cover cover_from(Lines& lines, std::span<const Chart> charts) {
     Cover cover;
+    if (charts.empty()) {
+        cover.orbits = orbits_from(lines);
+    }
     for (const Chart chart : charts) {
         const auto& fields = lines.next();
         if (cover.charts.empty() && fields.size() == 1 && fields[0] == equal_masses_word) {

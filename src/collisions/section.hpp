@@ -34,6 +34,9 @@ struct BoundSearch {
     bool (*may_stay)(const Count& n, const Rational& q, const Interrupted& interrupted);
     std::optional<Witness> (*witness)(const Range& range, const Count& target, const System& system,
                                       const Interrupted& interrupted);
+    /// What proves the upper bound without trees, if anything does; nullptr: nothing.
+    std::optional<Cover> (*by_lemma)(const Range& range, const Count& upper, const System& system,
+                                     const Interrupted& interrupted) = nullptr;
 };
 
 struct SectionRow {
@@ -55,14 +58,12 @@ struct SectionRow {
     /// The limits of a piece: its precision, and the nodes of a tree.
     int max_bits = most_file_bits - few_bits;
     std::size_t max_nodes = 20'000;
-    std::span<const Chart> charts;  ///< in the order of the file
+    std::span<const Chart> charts;  ///< in the order of the file; none: there are no trees
     long exact_step = 1;            ///< a ratio at which the maximum is known to step
     /// The step to n, for a gap of this width around it; `critical` is 0 if interrupted. nullptr: nothing is
     /// known of the steps, and ranges are halved.
     Step (*step)(long n, double gap, const Interrupted& interrupted) = nullptr;
     bool is_monotone = false;  ///< where ranges are halved: the maximum does not decrease
-    /// What proves the upper bound without trees, if anything does; nullptr: nothing.
-    std::optional<Cover> (*by_lemma)(const Range& range, const Count& upper, const System& system) = nullptr;
     std::tuple<BoundSearch<Interval>, BoundSearch<BigInterval>> bounds;
 };
 

@@ -28,7 +28,7 @@ template <class I>
                                                   const Interrupted& interrupted = never);
 
 /// The same for bodies: a contact with the bridge that has at least `target` collisions (L74), for every Q of
-/// the range; by tangents for its least.
+/// the range; of a certificate by orbits only for its least.
 template <class I>
 [[nodiscard]] std::optional<Witness> contact_of_body(const Range& range, long target, const System& system,
                                                      const Interrupted& interrupted = never);

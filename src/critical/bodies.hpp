@@ -21,7 +21,7 @@ struct Bodies {
 };
 
 /// The step to n with one rho: N < n iff Q <= Q_c, q_lo <= Q_c <= q_hi. N is `below` < n at q_lo, and at q_hi
-/// the enclosure's n, which may be greater than this one, each proved by a bound of the tangents (L82) and by
+/// the enclosure's n, which may be greater than this one, each proved by a bound of orbits (L87) and by
 /// a witness (L74). Nothing if interrupted, or if no precision proves so many digits. Precondition: n >
 /// least().
 [[nodiscard]] std::optional<Ratio> enclose_inertia(const Bodies& bodies, long n, const Options& options);

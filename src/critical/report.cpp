@@ -80,9 +80,8 @@ std::string foundation(const Bodies& bodies) {
                               "has for every greater Q\n(N does not decrease with Q: L83). There N steps "
                               "from one value to the other.\n",
                               number)) +
-           "At both ends of the enclosure N is proved, as by dumbbell certify: by tangents (Theorem B and "
-           "L82 "
-           "of\nproofs/body.md) and by a motion.\n";
+           "At both ends of the enclosure N is proved, as by dumbbell certify: by orbits (L87 of\n"
+           "proofs/plane.md) and by a motion.\n";
 }
 
 std::string row_verdict(const Row& row, const Report& report) {
@@ -271,7 +270,7 @@ Json to_json(const Report& report) {
     const auto number_if = [&](bool holds) { return holds ? Json(exact_text(bodies->number)) : Json(); };
     return Json::object(
         {{"schema", "dumbbell-critical-1"},
-         {"method", bodies ? "bounds at both ends, by tangents and by a motion"
+         {"method", bodies ? "bounds at both ends, by orbits and by a motion"
                            : method(report.request.first, report.request.last)},
          {"rests_on", bodies ? "proofs/body.md, L82 and L83" : "proofs/theorem.md, theorem 2"},
          {"rho", number_if(bodies && !bodies->have_rods)},

@@ -37,49 +37,34 @@ Bounce bounce_from_below(Ray<I>& flight, const I& height) {
     return Bounce::returns;
 }
 
-/// The tangent of the bridge at corner distance e, at its lowest: to the right and down into the valley, or
-/// to the left and up. Preconditions: 0 <= e < pi/2; rho and r enclose those of the bodies.
+/// The straight wedge's ray along the bridge (L82), from below, behind 2 hits + 1 bounces; or what becomes of
+/// it before. rho and r enclose those of the body.
 template <class I>
-Ray<I> tangent_into_valley(const I& e, const I& rho, const I& r) {
-    const SinCos<I> at = sin_cos(e);
-    return {max(I(0), low_end(rho * (at.sin - e * at.cos))), low_end(-(rho * at.cos)), low_end(r)};
-}
-template <class I>
-Ray<I> tangent_upward(const I& e, const I& rho, const I& r) {
-    const SinCos<I> at = sin_cos(e);
-    return {low_end(rho * (at.sin + (pi<I>() - e) * at.cos)), low_end(rho * at.cos), low_end(r)};
-}
-
-/// An upper bound of the hits of the bridge of all flights above `flight` that go into the valley; `cap` + 1
-/// if none up to `cap` is certain.
-template <class I>
-long valley_hits_at_most(Ray<I> flight, const I& rho, long cap, const Interrupted& interrupted) {
-    for (long hits = 0; hits <= cap && !ends_early(hits, interrupted); ++hits) {
-        const Bounce at_wall = bounce_from_below(flight, I(1));
-        const Bounce at_bridge = at_wall == Bounce::returns ? bounce_from_below(flight, rho) : Bounce::misses;
-        if (at_wall == Bounce::undecided || at_bridge == Bounce::undecided) {
-            break;
-        }
-        if (at_bridge != Bounce::returns) {
-            return at_bridge == Bounce::leaves ? hits + 1 : hits;
-        }
+Bounce along_bridge(Ray<I>& ray, long hits, const I& rho, const I& r, const Interrupted& interrupted) {
+    ray = {I(0), low_end(-rho), low_end(r)};
+    Bounce last = Bounce::returns;
+    for (long bounces = 0; bounces <= 2 * hits && last == Bounce::returns; ++bounces) {
+        last = ends_early(bounces, interrupted) ? Bounce::undecided
+                                                : bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho);
     }
-    return cap + 1;
+    return last;
 }
 
-/// An upper bound of T if J is `hits` (L82): the straight wedge's ray along the bridge, behind 2 J + 1
-/// bounces; `cap` + 1 if none up to `cap` is certain. rho and r enclose those of the body.
+/// Certain that J is at most `hits`.
+template <class I>
+bool corner_hits_at_most(long hits, const I& rho, const I& r, const Interrupted& interrupted) {
+    Ray<I> ray;
+    const Bounce last = along_bridge(ray, hits, rho, r, interrupted);
+    return last == Bounce::returns ? certainly_at_most(rho, ray.kappa) : last != Bounce::undecided;
+}
+
+/// An upper bound of T if J is `hits`; `cap` + 1 if none up to `cap` is certain.
 template <class I>
 long even_at_most(long hits, const I& rho, const I& r, long cap, const Interrupted& interrupted) {
-    Ray<I> ray{I(0), low_end(-rho), low_end(r)};
-    for (long bounces = 0; bounces <= 2 * hits; ++bounces) {
-        if (ends_early(bounces, interrupted)) {
-            return cap + 1;
-        }
-        const Bounce bounce = bounce_from_below(ray, bounces % 2 == 0 ? I(1) : rho);
-        if (bounce != Bounce::returns) {
-            return bounce == Bounce::undecided ? cap + 1 : 0;
-        }
+    Ray<I> ray;
+    const Bounce last = along_bridge(ray, hits, rho, r, interrupted);
+    if (last != Bounce::returns) {
+        return last == Bounce::undecided ? cap + 1 : 0;
     }
     return as_long(count_at_most<I>({low_end(pi<I>() * ray.kappa), ray.kappa, ray.r}, cap, interrupted));
 }

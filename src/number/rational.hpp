@@ -125,6 +125,7 @@ template <>
 [[nodiscard]] Rational exact(double x);
 
 /// The exact ends of X. Throws BrokenInvariant if they are not finite.
+[[nodiscard]] inline Rational exact_lo(const Interval& x) { return exact(x.lo()); }
 [[nodiscard]] Rational exact_lo(const BigInterval& x);
 [[nodiscard]] Rational exact_hi(const BigInterval& x);
 

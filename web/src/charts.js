@@ -13,7 +13,6 @@ const charts = {
     again: { about: "the same contacts once more: none of them comes back to the heavy mass", axes: contact },
     light: { about: "turning collisions of the light mass, of trajectories that never touch the floor with the heavy one", axes: { e: position, lambda: `\u03bb: slope${inUnits}` } },
     departure: { about: "collisions of the light mass, in any direction, that cross the cell next", axes: { e: position, eta: slope } },
-    tangent: { about: "places of the bridge, whose tangents to the left and into the valley bound what a motion does", axes: { e: position, "": "" } },
 };
 
 export const chartAbout = (name) => charts[name].about;
@@ -26,16 +25,10 @@ export function leafText(kind, chart) {
     if (kind.reason !== "count") {
         return `${kind.reason}: ${kind.about}`;
     }
-    if (chart === "tangent") {
-        return `count ${kind.forward} ${kind.backward}: the tangents hit at most ${kind.forward} times to the left, and the bridge ${kind.backward} times in the valley, so at most ${twice(kind)} in all`;
-    }
     return chart === "contact" || chart === "departure"
         ? `count ${kind.forward}: ${forward} collisions, so at most ${sum(1, kind.forward)} from here on`
         : `count ${kind.forward} ${kind.backward}: ${forward} and ${kind.backward} earlier collisions, so at most ${total(kind)} in all`;
 }
-
-/// Of the two tangents at one place (Theorem B).
-export const twice = ({ forward, backward }) => sum(1, forward, forward, backward, backward);
 
 export const total = (kind) => sum(1, kind.forward, kind.backward);
 

@@ -1,7 +1,7 @@
 // A certificate about the greatest number of collisions: staircase, cover, witnesses, tables.
 import { birth } from "./birth.js";
 import { chartPoints } from "./chart_points.js";
-import { leafText, total, twice } from "./charts.js";
+import { leafText, total } from "./charts.js";
 import { Cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
 import { foundations, verifyBox } from "./file_tables.js";
@@ -51,7 +51,6 @@ function coverSource(file) {
         explain: `${i + 1}:${tree.chart}`,
         marks: (q) => marksOf(file, tree.chart, q, piece),
     })));
-    const most = file.section === "tangents" ? twice : total;
     const largest = choices.reduce((best, c, i) => (c.tree.leaves > choices[best].tree.leaves ? i : best), 0);
     return {
         title: `The boxes of the cover of ${file.name}`,
@@ -65,8 +64,8 @@ function coverSource(file) {
             {
                 text: "by number of collisions",
                 paint: (kind) => shade(kind.colour),
-                label: (kind) => (isCount(kind) ? `at most ${most(kind)}` : kind.reason),
-                order: (kind) => (isCount(kind) ? Number(most(kind)) : Infinity),
+                label: (kind) => (isCount(kind) ? `at most ${total(kind)}` : kind.reason),
+                order: (kind) => (isCount(kind) ? Number(total(kind)) : Infinity),
             },
             {
                 text: "by reason",
@@ -149,7 +148,7 @@ function piecesTable(file) {
     const isBounded = file.pieces.some((p) => p.paper);
     const ends = ({ lo_text: lo, hi_text: hi }) => (lo === hi ? shortened(lo) : `${shortened(lo)} to ${shortened(hi)}`);
     const paper = (p) => (p.paper ? (p.paper[0] === p.paper[1] ? String(p.paper[0]) : `${p.paper[0]} to ${p.paper[1]}`) : "");
-    const row = (p) => [ends(p), valueText(p), ...(isBounded ? [paper(p)] : []), p.equal_masses ? "by L7" : p.symmetric ? "by L72" : p.leaves.toLocaleString("en"), String(p.bits),
+    const row = (p) => [ends(p), valueText(p), ...(isBounded ? [paper(p)] : []), p.equal_masses ? "by L7" : p.symmetric ? "by L72" : file.section === "perpendicular" ? "by L87" : p.leaves.toLocaleString("en"), String(p.bits),
         p.witness ? `${total(p.witness)} collisions` : ""];
     const head = [file.rho ? "Q" : "mass ratio", "claimed", ...(isBounded ? ["the paper\u2019s bound"] : []), "boxes", "bits", "witness"];
     const boxesColumn = head.indexOf("boxes");

@@ -33,11 +33,13 @@ const lemmas = {
     L79: "Comparison in the valley: a lower, steeper flight hits at least as often",
     L80: "How many collisions a passage has, by angles",
     L81: "The two tangents of the bridge: f does not decrease with e, b does not increase",
-    L82: "Upper bounds by the tangents at a few places",
+    L82: "The corner\u2019s ray from below",
     L83: "More Q, no fewer collisions",
+    L86: "Orbits that leave a wall of the valley at a right angle",
+    L87: "Bounds by a few of these orbits, of a range of Q and \u03c1",
 };
 
-const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [70, "proofs/lemmas.md"], [99, "proofs/body.md"]];
+const pages = [[15, "proofs/lemmas.md"], [20, "proofs/lemmas-sections.md"], [33, "proofs/theorem.md"], [70, "proofs/lemmas.md"], [86, "proofs/body.md"], [99, "proofs/plane.md"]];
 const numerical = ["L12", "L13", "L14"];
 
 const starts = ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L7", ...numerical, "L21", "L40", "L60"];
@@ -47,7 +49,7 @@ const sets = {
     full: ["L0", "L1", "L2", "L3", "L4", "L5", "L6", "L10", "L11", ...numerical, "L15", "L19"],
     plain: ["L0", "L1", "L2", "L3", "L4", "L6", "L11", ...numerical, "L15", "L16", "L19"],
     body: ["L1", "L2", "L3", "L4", "L6", ...numerical, "L16", "L70", "L71", "L72", "L73", "L74", "L75"],
-    tangents: ["L1", "L2", "L3", "L4", "L5", ...numerical, "L70", "L73", "L74", "L78", "L79", "L80", "L81", "L82", "L83"],
+    perpendicular: ["L1", "L2", "L3", "L4", "L5", ...numerical, "L70", "L73", "L74", "L78", "L79", "L80", "L81", "L82", "L83", "L86", "L87"],
     "initial-conditions": starts,
     incoming: [...starts, "L61"],
 };
@@ -55,7 +57,7 @@ const sets = {
 /// Rows [lemma, statement, page] for a file.
 export function lemmaRows(file) {
     const isCollisions = file.claim === "collisions";
-    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" && file.section !== "tangents" ? file.scene : file.section;
+    const key = !isCollisions ? file.claim : file.scene !== "dumbbell" && file.section !== "perpendicular" ? file.scene : file.section;
     const names = [...sets[key]];
     if (isCollisions && file.pieces.some((piece) => piece.equal_masses)) {
         names.push("L7");

@@ -21,7 +21,7 @@ collisions::Claim claim_of(const Given& given, const std::optional<std::string>&
              : dumbbell_claim(given, parse_ratio_argument(line ? *line : given.text("RATIO")));
     if (body && given.has("--section")) {
         if (given.text("--section") != "plain") {
-            throw InputError("bodies are proved by their tangents, or by --section plain");
+            throw InputError("bodies are proved by perpendicular orbits, or by --section plain");
         }
         claim = by_plain_covers(std::move(claim));
     }

@@ -96,14 +96,15 @@ std::optional<Witness> dumbbell_witness(const Range& range, const Count& target,
 }
 
 /// L7.
-std::optional<Cover> equal_masses(const Range& range, const Count& upper, const System& /*system*/) {
+std::optional<Cover> equal_masses(const Range& range, const Count& upper, const System& /*system*/,
+                                  const Interrupted& /*interrupted*/) {
     const bool holds = range.hi == 1 && upper >= 2;
     return holds ? std::optional(Cover{.equal_masses = true, .charts = {}}) : std::nullopt;
 }
 
 template <class I>
 constexpr BoundSearch<I> dumbbell_bounds{suspected_maximum<I>, orbits_reach<I>, orbits_stay_below<I>,
-                                         dumbbell_witness<I>};
+                                         dumbbell_witness<I>, equal_masses};
 
 constexpr std::array turning_charts{Chart::bridge, Chart::light};
 constexpr std::array full_charts{Chart::contact, Chart::departure, Chart::again},
@@ -121,7 +122,6 @@ constexpr SectionRow turning{.scene = "dumbbell",
                              .has_paper_bound = true,
                              .charts = turning_charts,
                              .step = dumbbell_step,
-                             .by_lemma = equal_masses,
                              .bounds = {dumbbell_bounds<Interval>, dumbbell_bounds<BigInterval>}};
 
 /// All states, not a section of them.

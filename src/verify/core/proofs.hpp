@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "verify/core/section.hpp"
-#include "verify/core/settings.hpp"
 #include "verify/core/tree.hpp"
 
 namespace dumbbell_verify {
@@ -29,7 +28,7 @@ struct Proofs {
             leaf.box = section.root(i, a, b);
             std::tie(leaf.box.lo[3], leaf.box.hi[3]) = rho;
             text.next();
-            if (i == 0 && text.fields[0] != "chart")
+            if (i == 0 && (text.fields[0] != "chart" || section.charts[0].name.empty()))
                 return found(leaf, Place::cover, 1, static_cast<double>(section.charts.size()), "cover");
             std::string path(section.charts[i].name);
             if (text.fields.size() != 2 || text.fields[0] != "chart" || text.fields[1] != path)
@@ -57,11 +56,13 @@ struct Proofs {
         };
         const auto opcode = std::find_if(section.opcodes.begin(), section.opcodes.end(), fits);
         if (opcode == section.opcodes.end()) text.reject("opcode", "not a line for this place");
-        if (fields.size() != hints + opcode->hints ||
+        if ((opcode->hints > 2 ? (fields.size() - hints) % 2 == 0 : fields.size() != hints + opcode->hints) ||
             (place == Place::witness && leaf.chart == 0 && fields[1] != section.witness))
             text.reject("syntax", "wrong number of values, or unknown kind");
         if (opcode->hints > 0) leaf.a = text.long_natural(hints);
-        if (opcode->hints > 1) leaf.b = text.long_natural(hints + 1);
+        for (std::size_t i = hints + 1; opcode->hints > 2 && i < fields.size(); i += 2)
+            leaf.orbits.emplace_back(text.long_natural(i), text.dyadic(i + 1));
+        if (opcode->hints == 2) leaf.b = text.long_natural(hints + 1);
         leaf.opcode = static_cast<std::size_t>(opcode - section.opcodes.begin());
         leaf.line = text.line;
         ++tallies[1 + leaf.opcode].lines;

@@ -21,6 +21,7 @@ struct Leaf {
     unsigned bits = 53;  ///< working precision; double is tried first unless `multiple`
     bool multiple = false;
     Box box;
+    std::vector<std::pair<mpz_class, mpq_class>> orbits;  ///< pairs behind a
 };
 
 enum class Place { leaf, cover, witness };
@@ -28,13 +29,13 @@ enum class Place { leaf, cover, witness };
 struct Opcode {
     std::string_view name;
     Place place;
-    unsigned charts, hints;  ///< bit set of the charts that it occurs in; number of its hints (0 to 2)
+    unsigned charts, hints;  ///< bit set of its charts; number of its hints: 0 to 2; 3: one, and pairs
 };
 /// The places of the opcodes in every section's table; one that it does not have occurs in no chart.
 enum { count_leaf, outside, meets, meets_reversed, equal_masses, witness };
 
 struct Chart {
-    std::string_view name;
+    std::string_view name;               ///< empty: there are no trees, only covers of one line
     std::vector<std::string_view> axes;  ///< an empty name: no such axis
 };
 
@@ -60,11 +61,11 @@ inline mpq_class power_of_two(const mpq_class& x) {
     return mpz_class(mpz_class(1) << (least == 0 ? 0 : mpz_sizeinbase(least.get_mpz_t(), 2)));
 }
 
-const Section &turning(), &full(), &plain(), &body(), &tangents(), &cells();
+const Section &turning(), &full(), &plain(), &body(), &perpendicular(), &cells();
 
 /// All of them: (lemmas, scene, name) chooses.
 inline std::array<const Section*, 6> sections() {
-    return {&turning(), &full(), &plain(), &body(), &tangents(), &cells()};
+    return {&turning(), &full(), &plain(), &body(), &perpendicular(), &cells()};
 }
 
 }  // namespace dumbbell_verify

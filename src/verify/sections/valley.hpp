@@ -39,31 +39,18 @@ class Valley : protected Rays<N> {
         ray.c = std::max(zero, (h * at.sine + I(ray.kappa) * at.x).lo);
         return Bounce::returns;
     }
-    /// The straight wedge's ray along the bridge: c = 0.
-    [[nodiscard]] Ray along_bridge(const I& rho, const N& r) const { return {zero, -rho.hi, r}; }
-
-    /// Certified: no flight above `ray` hits the bridge more than `most` times.
-    bool hits_at_most(Ray ray, const I& rho, const mpz_class& most) {
-        Guesses at;
-        for (mpz_class hits = 0;; ++hits) {
-            look_at(ray, hits);
-            const Bounce at_wall = bounce(ray, I(1), at.right);
-            if (at_wall != Bounce::returns) return at_wall != Bounce::undecided;
-            const Bounce at_bridge = bounce(ray, rho, at.left);
-            if (at_bridge == Bounce::misses) return true;
-            if (hits == most) return false;
-            if (at_bridge != Bounce::returns) return at_bridge == Bounce::leaves;
-        }
+    /// Certified: J <= most, by the straight wedge's ray along the bridge (L82).
+    bool corner_hits_at_most(const mpz_class& most, const I& rho, const N& r) {
+        Ray ray;
+        const Bounce last = along_bridge(most, rho, r, ray);
+        return last == Bounce::returns ? passes_bridge(ray, rho) : last != Bounce::undecided;
     }
-    /// Certified T <= most, if J is `hits`.
+    /// Certified: T <= most, if J is `hits`.
     bool even_at_most(const mpz_class& hits, const I& rho, const N& r, const mpz_class& most) {
-        Ray ray = along_bridge(rho, r);
-        N z = zero;
-        for (mpz_class left = 2 * hits + 1; left > 0; --left) {
-            const Bounce done = bounce(ray, mpz_odd_p(left.get_mpz_t()) != 0 ? I(1) : rho, z);
-            if (done == Bounce::undecided) return false;
-            if (done != Bounce::returns) return fact("T = 0 <= a number", most >= 0);
-        }
+        Ray ray;
+        const Bounce last = along_bridge(hits, rho, r, ray);
+        if (last == Bounce::undecided) return false;
+        if (last != Bounce::returns) return fact("T = 0 <= a number", most >= 0);
         return Base::at_most("T <= a number", over_bridge(down, ray), most);
     }
 
@@ -115,6 +102,15 @@ class Valley : protected Rays<N> {
     }
 
   private:
+    /// That ray behind 2 hits + 1 bounces, or what becomes of it before.
+    Bounce along_bridge(const mpz_class& hits, const I& rho, const N& r, Ray& ray) {
+        ray = {zero, -rho.hi, r};
+        Bounce last = Bounce::returns;
+        N z = zero;
+        for (mpz_class left = 2 * hits + 1; left > 0 && last == Bounce::returns; --left)
+            last = bounce(ray, wall(left, rho), z);
+        return last;
+    }
     static I wall(const mpz_class& number, const I& rho) {
         return mpz_odd_p(number.get_mpz_t()) != 0 ? I(1) : rho;
     }

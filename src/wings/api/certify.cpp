@@ -44,7 +44,7 @@ collisions::CertifyRequest request_of(const MassRatio& ratio, const CertifyOptio
 
 collisions::CertifyRequest request_of(const Body& body, const CertifyOptions& options) {
     if (options.section == Section::full) {
-        throw dumbbell::InputError("bodies are proved by their tangents, or in the section plain");
+        throw dumbbell::InputError("bodies are proved by perpendicular orbits, or in the section plain");
     }
     collisions::Claim claim = collisions::claim_of_body(body.rho, body.inertia);
     return request_of(options.section == Section::plain ? by_plain_covers(std::move(claim)) : claim, options);

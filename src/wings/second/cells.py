@@ -7,8 +7,8 @@ from body import MOST_IN_CORNER, corner_has
 from fixed import half_pi, interval, pi, set_precision, sin_cos, span
 from judge import ends
 from rays import at_least, at_most, earliest, latest, slope_above
-from tangents import Valley
 from tree import walk
+from valley import Valley
 from work import spend
 
 
@@ -88,7 +88,9 @@ def no_more(upper, orbits, end, rhos, q):
     half = (upper - 1) // 2
     x = [0, *(j for j, _ in orbits), end]
     a = [half + 1 - following for following in x[1:]]
-    if min(a) < 0 or any(i >= k for i, k in zip(x, x[1:])) or has(2 * end + 1, rhos[1], q):
+    if min(a) < 0 or any(i >= k for i, k in zip(x, x[1:])):
+        return False
+    if has(2 * end + 1, rhos[1], q) and not Valley(rhos[1], q).corner_hits_at_most(end - 1):
         return False
     if rhos[0] != 1 and not at_most(interval(rhos[0]), interval(0), interval(1 / q), a[0]):
         return False

@@ -8,7 +8,7 @@ from failure import Rejected, Unreadable, Unsupported
 WORDS = {
     "lemmas": {"1", "minimal", "body"},
     "scene": {"dumbbell", "body"},
-    "section": {"turning", "full", "tangents", "cells", "none"},
+    "section": {"turning", "full", "perpendicular", "cells", "none"},
 }
 
 

@@ -4,8 +4,8 @@ import body
 import cells
 import full
 import gaps
+import perpendicular
 import plain
-import tangents
 import turning
 from demand import decimals, interval_text, part_text, ratio_text
 from judge import ends
@@ -17,7 +17,7 @@ SECTIONS = {
     ("1", "dumbbell", "full"): full,
     ("minimal", "dumbbell", "full"): plain,
     ("body", "body", "full"): body.Bodies,
-    ("body", "body", "tangents"): tangents.Tangents,
+    ("body", "body", "perpendicular"): perpendicular.Perpendicular,
     ("body", "body", "cells"): cells,
 }
 
@@ -101,7 +101,7 @@ def check(lines, header, judge, demand):
     if section is cells:
         rho, part, whole, decided, source = cells.check(lines, judge, demand)
         return Staircase("body", rho, False, [part], source, [whole], decided)
-    every_body = section is tangents.Tangents
+    every_body = section is perpendicular.Perpendicular
     lo, hi = lines.line("ratio", "ratio", "ratio")
     if not (1 <= lo or every_body) or lo > hi:
         raise lines.wrong("number", "not 1 <= LO <= HI")
@@ -124,8 +124,8 @@ def check(lines, header, judge, demand):
         pieces.append((a, b, *piece(lines, section, a, b, judge)))
     kinds = ["split", "count", "outside", "meets", "meets-reversed", "equal-masses", "witness", "open"]
     again = header[2] == "full" and not rho
-    if again or (rho and not every_body):
-        kinds.insert(7, "once" if again else "symmetric")
+    if again or rho:
+        kinds.insert(7, "once" if again else "orbits" if every_body else "symmetric")
     return Staircase(header[1], rho, again, pieces, f"sha256={lines.trailer(kinds)}")
 
 
@@ -170,6 +170,8 @@ def cover(lines, section, a, b, upper, bits, judge):
             raise lines.wrong(op, "not certified: the leaf counts more than U collisions")
         judge(lambda: section.leaf(chart, op, values, box, upper), ends(box), bits, lines.wrong(op, "not certified"))
 
+    if not section.LEAVES:
+        section.orbits(lines, b, upper, bits, judge)
     for number, chart in enumerate(section.LEAVES):
         fields = lines.next()
         if number == 0 and fields[0] != "chart":

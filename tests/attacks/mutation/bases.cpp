@@ -41,7 +41,7 @@ Certificate certified(const std::string& lo, const std::string& hi, const std::s
     return certificate(std::move(pieces), {section});
 }
 
-/// Of bodies, by plain covers or by tangents.
+/// Of bodies, by plain covers or by orbits.
 Certificate bodies(Section section, const std::string& rho, const std::string& q_lo, const std::string& q_hi,
                    long upper, long lower) {
     const System system{section, parse_rational(rho)};
@@ -151,8 +151,8 @@ std::vector<Base> bases(bool large) {
         base("plain", certificate({proved("1.01", "1.01", 4, 3, Section::plain)}, {Section::plain})),
         base("coin", bodies(Section::plain_body, "1", "4", "4", 4, 4)),
         base("symmetric-range", bodies(Section::plain_body, "1", "2", "3", 3, 3)),
-        base("tangents", bodies(Section::body, "1/2", "13/2", "13/2", 4, 4)),
-        base("tangents-range", bodies(Section::body, "1/2", "5/2", "5", 3, 3)),
+        base("orbits", bodies(Section::body, "1/2", "13/2", "13/2", 4, 4)),
+        base("orbits-range", bodies(Section::body, "1/2", "5/2", "5", 3, 3)),
         base("falling",
              subdivided(box({{{"-1", "1"}, {"1/100", "1/100"}, {"3/2", "3/2"}, {"-1", "-1"}, {"10", "10"}}}),
                         16)),

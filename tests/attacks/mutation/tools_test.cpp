@@ -85,7 +85,7 @@ TEST_CASE("Together the bases have every opcode, section, scene, precision and k
                                    "scene body",
                                    "section full",
                                    "section none",
-                                   "section tangents",
+                                   "section perpendicular",
                                    "claim initial-conditions",
                                    "bound",
                                    "claim adiabatic-bounce",

@@ -105,16 +105,16 @@ Changes of_dyadic(const std::string& word) {
 /// The words of the format that may stand in the same place.
 constexpr std::string_view classes[][11] = {
     {"dumbbell", "body", "none"},
-    {"turning", "full", "none", "tangents"},
+    {"turning", "full", "none", "perpendicular"},
     {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
      "adiabatic-scattering"},
-    {"bridge", "light", "contact", "departure", "again", "tangent"},
+    {"bridge", "light", "contact", "departure", "again"},
     {"e", "eta", "lambda", "t", "q", "rho", "phi", "phidot", "y", "ydot", "s"},
     {"u", "s", "v", "delta", "sigma", "q"},
     {"bound", "outside", "split", "attained", "cell", "end"},
     {"light", "heavy"},
     {"count", "outside", "meets", "meets-reversed", "once", "exactly", "between", "open", "equal-masses",
-     "split", "witness"},
+     "split", "witness", "orbits"},
     {"1", "minimal", "2"},
     {"none", "0", "1"}};
 

@@ -73,8 +73,9 @@ GROUPS = {
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),
         replays=(("{build}/tests/attacks/mutation/mutation", "--replay", "{tree}/tests/attacks/false_claims/manifest.tsv"),)),
-    "tangents": Group(
-        files=below("verify", "sections/tangents sections/cells", "sections/valley:sections/cells"),
+    "perpendicular": Group(
+        files=below("verify", "sections/perpendicular sections/cells",
+                    "sections/cell:sections/cells sections/valley:sections/cells"),
         left_out=frozenset(),
         targets=("dumbbell-verify", "test_verify", "mutation"),
         programs=("tests/rooms/verify/test_verify",),

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <random>
 
+#include "collisions/perpendicular.hpp"
 #include "near_main.hpp"
 
 namespace starts = dumbbell_verify::starts;
@@ -15,6 +16,7 @@ namespace starts = dumbbell_verify::starts;
 namespace {
 
 using namespace leaf_rows;
+using dumbbell::Rational;
 
 class Maker {
   public:
@@ -30,7 +32,7 @@ class Maker {
                 if (i % 6 == 2) around(Start{std::get<starts::Leaf>(leaf).box});
                 continue;
             }
-            around(below(8) == 0 ? tangents() : of(*sections[below(i % 2 == 0 ? 3 : 5)]));
+            around(below(8) == 0 ? cell() : of(*sections[below(i % 2 == 0 ? 3 : 5)]));
         }
     }
 
@@ -96,23 +98,34 @@ class Maker {
         return result;
     }
 
-    /// Of the section tangents, with the best hints; half of them in the corner.
-    AnyLeaf tangents() {
-        SectionLeaf result{&dumbbell_verify::tangents(), {}};
-        Leaf& leaf = result.leaf;
-        set_bits(leaf, bits_);
-        leaf.opcode = below(8) == 0 ? dumbbell_verify::outside : dumbbell_verify::count_leaf;
-        leaf.box.lo = {below(2) == 0 ? mpq_class(0) : rounded(uniform(0, 1.6)), 0,
-                       rounded(std::exp2(uniform(1, 6))), std::max(mpq_class(1, 16), rounded(uniform(0, 1)))};
-        leaf.box.hi = leaf.box.lo;
-        leaf.box.hi[0] += width();
-        leaf.a = leaf.b = 9;
-        leaf.claimed = 40;
-        for (mpz_class* hint : {&leaf.a, &leaf.b, &leaf.claimed}) {
-            while (*hint > 0 && judged(result) == "certified") --*hint;
-            if (judged(result) != "certified") ++*hint;
+    /// Of a rectangle or a single body, by the prover's orbits; few bits need a bound with some room.
+    AnyLeaf cell() {
+        const double rho = std::exp(uniform(-3, 0)), q = std::exp2(uniform(-1, 7)),
+                     grow = below(3) == 0 ? 0.02 : 0;
+        Cell cell;
+        set_bits(cell, below(2) == 0 ? bits_ : 5 + static_cast<unsigned>(below(4)));
+        cell.box.lo = {0, 0, std::max(mpq_class(1, 2), rounded(q)), std::max(mpq_class(1, 16), rounded(rho))};
+        cell.box.hi = {0, 0, cell.box.lo[2] * mpq_class(1 + grow), cell.box.lo[3] * mpq_class(1 + grow)};
+        if (below(6) == 0 || cell.box.hi[3] > 1) cell.box.lo[3] = cell.box.hi[3] = 1;
+        const auto side = [&](std::size_t i) -> dumbbell::collisions::Range {
+            return {Rational(cell.box.lo[i].get_mpq_t()), Rational(cell.box.hi[i].get_mpq_t())};
+        };
+        const dumbbell::collisions::Rectangle bodies{side(3), side(2)};
+        const auto least = dumbbell::collisions::least_collisions(bodies);
+        const long room = static_cast<long>(below(3));
+        cell.lower = std::max(0L, least.bound - room);
+        cell.j = least.j;
+        cell.p = mpq_class(least.p.raw());
+        for (long most = least.bound + room; cell.x.empty(); ++most) {
+            if (const auto found = dumbbell::collisions::at_most(most, bodies)) {
+                cell.upper = most;
+                cell.x = {0};
+                for (const auto& [x, p] : found->orbits)
+                    cell.x.emplace_back(x), cell.p_of.emplace_back(p.raw());
+                cell.x.emplace_back(found->end);
+            }
         }
-        return result;
+        return cell;
     }
 
     AnyLeaf initial() {
@@ -176,8 +189,6 @@ class Maker {
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, -1);
                     move(any, {&leaf.box.lo[i], &leaf.box.hi[i]}, 1);
                 }
-            if (one->section->every_body)
-                for (const int sign : {-1, 1}) move(any, {&leaf.box.lo[3], &leaf.box.hi[3]}, sign);
             for (mpz_class* hint : {&leaf.a, &leaf.b, &leaf.claimed})
                 for (const int step : {-1, 1}) {
                     if (*hint == 0 && step < 0) continue;
@@ -185,6 +196,25 @@ class Maker {
                     print(any);
                     *hint -= step;
                 }
+            return;
+        }
+        if (auto* cell = std::get_if<Cell>(&any)) {
+            for (const std::size_t i : {2, 3}) {
+                move(any, {&cell->box.lo[i]}, -1);
+                move(any, {&cell->box.hi[i]}, 1);
+            }
+            for (const int sign : {-1, 1}) {
+                move(any, {&cell->p}, sign);
+                for (mpq_class& p : cell->p_of) move(any, {&p}, sign);
+                std::vector<mpz_class*> counts{&cell->upper, &cell->lower, &cell->j};
+                for (std::size_t i = 1; i < cell->x.size(); ++i) counts.push_back(&cell->x[i]);
+                for (mpz_class* count : counts) {
+                    if (*count + sign < 0) continue;
+                    *count += sign;
+                    print(any);
+                    *count -= sign;
+                }
+            }
             return;
         }
         auto* start = std::get_if<Start>(&any);
@@ -241,6 +271,7 @@ class Maker {
     static bool is_ratio_side(const AnyLeaf& any, const mpq_class* c) {
         if (const auto* one = std::get_if<SectionLeaf>(&any))
             return c == &one->leaf.box.lo[2] || c == &one->leaf.box.hi[2];
+        if (const auto* cell = std::get_if<Cell>(&any)) return c == &cell->box.lo[2];
         const auto* start = std::get_if<Start>(&any);
         const auto& box = start ? start->box : std::get<starts::Leaf>(any).box;
         return c == &box.lo[4] || c == &box.hi[4];

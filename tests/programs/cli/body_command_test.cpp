@@ -53,7 +53,7 @@ TEST_CASE("what is said of a body names no option that bodies do not have") {
     CHECK_THAT(refused_body({"--rho", "1/2", "--inertia", "1e40"}),
                Contains("Q = 1e40 is beyond 10^12, the greatest that is tried\n"));
     CHECK_THAT(refused_body({"--coin", "--section", "full"}),
-               Contains("proved by their tangents, or by --section plain"));
+               Contains("proved by perpendicular orbits, or by --section plain"));
 }
 
 TEST_CASE("numbers that are no body's are refused, with what to do") {

@@ -42,7 +42,7 @@ OUTSIDE = {
     "full": OTHER_SECTION,
     "plain": OTHER_SECTION,
     "body": OTHER_SECTION,
-    "tangents": OTHER_SECTION,
+    "perpendicular": OTHER_SECTION,
     "cells": OTHER_SECTION,
 }
 

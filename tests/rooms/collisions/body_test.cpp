@@ -35,7 +35,7 @@ long maximum(const Piece& piece) { return piece.status() == Status::exact ? as_l
 
 }  // namespace
 
-TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by tangents and by a lemma") {
+TEST_CASE("A coin has 4 collisions, a uniform rod 3, equal masses 2, by orbits and by a lemma") {
     for (const auto& [q, n] : {std::pair(4, 4L), {3, 3L}, {1, 2L}}) {
         for (const bool by_plain : {false, true}) {
             const Piece piece = proved(1, q, by_plain);
@@ -68,8 +68,8 @@ TEST_CASE("The certificate of the coin says which body it is about, and by what 
         }
     };
     const Claim coin = of_body(1, 4, 4).claim;
-    has(coin, {"lemmas body\nscene body\nsection tangents\n", "\nratio 4/1 4/1\nrho 1/1 1/1\npieces 1\n",
-               "\nupper 4\nchart tangent\ncount 0 1\nlower 4\nwitness corner 0b0 0b0 3 0\n"});
+    has(coin, {"lemmas body\nscene body\nsection perpendicular\n", "\nratio 4/1 4/1\nrho 1/1 1/1\npieces 1\n",
+               "\nupper 4\norbits 2\nlower 4\nwitness corner 0b0 0b0 3 0\n"});
     has(by_plain_covers(coin), {"lemmas body\nscene body\nsection full\n",
                                 "\nupper 4\nsymmetric\nlower 4\nwitness corner 0b0 0b0 3 0\n",
                                 "\ntotal witness 1\ntotal symmetric 1\ntotal open 0\n"});

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "verify/core/section.hpp"
+#include "verify/sections/cell.hpp"
 #include "verify/wings/starts/grammar.hpp"
 
 namespace leaf_rows {
 
 namespace starts = dumbbell_verify::starts;
 
+using dumbbell_verify::Cell;
 using dumbbell_verify::Leaf;
 using dumbbell_verify::Section;
 
@@ -27,7 +29,7 @@ struct SectionLeaf {
 struct Start {
     dumbbell_verify::starts::Box box;
 };
-using AnyLeaf = std::variant<SectionLeaf, starts::Leaf, Start>;
+using AnyLeaf = std::variant<SectionLeaf, starts::Leaf, Start, Cell>;
 
 struct Row {
     std::string leaf, result;
@@ -40,6 +42,8 @@ inline std::string judged(const AnyLeaf& any) try {
         missing = one->section->check(one->leaf, nullptr);
     else if (const auto* start = std::get_if<Start>(&any))
         missing = dumbbell_verify::starts::starts_in_the_air(start->box, 53) ? nullptr : "not in the air";
+    else if (const auto* cell = std::get_if<Cell>(&any))
+        missing = dumbbell_verify::judged<dumbbell_verify::CellRule>(*cell, nullptr);
     else
         missing = dumbbell_verify::starts::check_leaf(std::get<starts::Leaf>(any), nullptr);
     return missing ? missing : "certified";
@@ -70,6 +74,13 @@ inline std::string words(const AnyLeaf& any) {
     } else if (const auto* start = std::get_if<Start>(&any)) {
         out << "start";
         box(start->box, start->box.lo.size());
+    } else if (const auto* cell = std::get_if<Cell>(&any)) {
+        out << "cell " << bits_of(*cell) << " " << cell->upper.get_str() << " " << cell->lower.get_str()
+            << " " << cell->j.get_str() << " " << cell->p.get_str();
+        box(cell->box, cell->box.lo.size());
+        for (std::size_t i = 0; i < cell->p_of.size(); ++i)
+            out << " " << cell->x[i + 1].get_str() << " " << cell->p_of[i].get_str();
+        out << " " << cell->x.back().get_str();
     } else {
         const auto& leaf = std::get<starts::Leaf>(any);
         out << "initial " << bits_of(leaf) << " " << leaf.least << " " << leaf.most;
@@ -108,6 +119,16 @@ inline AnyLeaf parsed(const std::string& text) {
         Start start;
         box(start.box, start.box.lo.size());
         return start;
+    }
+    if (first == "cell") {
+        Cell cell;
+        set_bits(cell, static_cast<unsigned>(number()));
+        for (mpz_class* count : {&cell.upper, &cell.lower, &cell.j}) *count = mpz_class(word());
+        cell.p = mpq_class(word());
+        box(cell.box, cell.box.lo.size());
+        cell.x = {0, mpz_class(word())};
+        for (std::string p; in >> p; cell.x.emplace_back(word())) cell.p_of.emplace_back(p);
+        return cell;
     }
     if (first == "initial") {
         starts::Leaf leaf;

@@ -45,8 +45,8 @@ inline std::vector<std::string> kinds_of(const std::string& text) {
                                    "meets-reversed", "equal-masses", "witness"};
     if (has("\nclaim law\n"))
         kinds.insert(kinds.end(), {"slope", "beyond"});
-    else if (has("\nscene body\n") && !has("\nsection tangents\n"))
-        kinds.insert(kinds.end(), {"symmetric", "open"});
+    else if (has("\nscene body\n"))
+        kinds.insert(kinds.end(), {has("\nsection full\n") ? "symmetric" : "orbits", "open"});
     else if (has("\nsection full\n"))
         kinds.insert(kinds.end(), {"once", "open"});
     else

@@ -1,47 +1,47 @@
-#include "collisions/sections/tangents.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "collisions/chart.hpp"
 #include "collisions/names.hpp"
+#include "collisions/perpendicular.hpp"
+#include "collisions/section.hpp"
+#include "collisions/witness.hpp"
+#include "file/limits.hpp"
+#include "flight/corner.hpp"
 
-/// Every rigid body, by Theorem B (body.md): the two tangents of the bridge, over a tree of their places e.
+/// Every rigid body, by perpendicular orbits (Theorem B of body.md, L87).
 namespace dumbbell::collisions {
 namespace {
 
-/// L82, of the places [e0, e1]: f(e1) and b(e0), or at the corner J, and there the even value of Theorem B.
+/// What seems to be N of a body; nothing if interrupted.
 template <class I>
-std::optional<Leaf> judge_tangent(const Box& box, const Count& most, const Interrupted& interrupted) {
-    const auto& [position, slope, ratio] = box.sides;
-    const I begin = position.lo.template enclosure<I>();
-    if (certainly_less(half_pi<I>(), begin)) {
-        return Leaf{Reason::outside};
-    }
-    const long upper = as_long(most), half = (upper - 1) / 2;
-    const Rational rho = box.rho, q = ratio.hi;
-    const Tangents<I> of(rho, q, interrupted);
-    const long up = of.upward(position.hi.template enclosure<I>(), half), room = half - up;
-    if (up > half) {
-        return std::nullopt;
-    }
-    const bool at_corner = approximate(position.lo) == 0;
-    long down = of.into_valley(begin, room);
-    if (down > room && (!at_corner || may_have_in_corner(2 * room + 3, rho, q))) {
-        return std::nullopt;
-    }
-    down = std::min(down, room);
-    const bool may_be_even = at_corner && upper % 2 == 1 && of.even(down, room) > half - down - 1 &&
-                             may_have_in_corner(2 * down + 2, rho, q);
-    return may_be_even ? std::nullopt : std::optional(Leaf{Reason::count, up, down});
+std::optional<Count> body_maximum(const Rational& q, const System& system, const Interrupted& interrupted) {
+    const LowerBound found = least_collisions<I>({{*system.rho, *system.rho}, {q, q}}, interrupted);
+    return interrupted() ? std::nullopt : std::optional(Count(found.bound));
 }
 
+/// A witness in the corner (L73), or at the bridge.
 template <class I>
-constexpr BoundSearch<I> body_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>};
+std::optional<Witness> body_witness(const Range& range, const Count& wanted, const System& system,
+                                    const Interrupted& interrupted) {
+    const long target = as_long(wanted);
+    if (target <= most_in_corner && flight::corner_count(*system.rho, range.lo, target) >= target) {
+        return Witness{0, 0, target - 1, 0, Place::corner};
+    }
+    return contact_of_body<I>(range, target, system, interrupted);
+}
+
+/// L87 (a).
+template <class I>
+std::optional<Cover> orbits_cover(const Range& range, const Count& upper, const System& system,
+                                  const Interrupted& interrupted) {
+    auto orbits = at_most<I>(as_long(upper), {{*system.rho, *system.rho}, range}, interrupted);
+    return orbits ? std::optional(Cover{.orbits = std::move(orbits), .charts = {}}) : std::nullopt;
+}
 
 /// L72.
-std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, const System& system) {
+std::optional<Cover> symmetric_cover(const Range& range, const Count& upper, const System& system,
+                                     const Interrupted& /*interrupted*/) {
     const bool holds = *system.rho == 1 && flight::corner_count(1, range.hi, most_in_corner) <=
                                                std::min(upper, Count(most_in_corner));
     return holds ? std::optional(Cover{.symmetric = true, .charts = {}}) : std::nullopt;
@@ -58,29 +58,25 @@ Step symmetric_step(long n, double gap, const Interrupted& /*interrupted*/) {
     return {n, exact_lo(q), (exact_hi(q) - exact_lo(q)) / exact_lo(q), false};
 }
 
-constexpr std::array tangent_charts{Chart::tangent};
+template <class I>
+constexpr BoundSearch<I> body_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>, orbits_cover<I>};
+template <class I>
+constexpr BoundSearch<I> plain_bounds{body_maximum<I>, nullptr, nullptr, body_witness<I>, symmetric_cover};
+
 constexpr std::array plain_body_charts{Chart::plain_contact, Chart::plain_departure};
 
 }  // namespace
 
-const ChartRow tangent_chart{.name = "tangent",
-                             .position = "e",
-                             .slope = {},
-                             .greatest_position = 2,
-                             .greatest_slope = 1,
-                             .splits_position_only = true,
-                             .judges = {judge_tangent<Interval>, judge_tangent<BigInterval>}};
-
 constexpr SectionRow body_row{.scene = "body",
-                              .section = "tangents",
+                              .section = "perpendicular",
                               .lemmas = "body",
-                              .section_in_file = "tangents",
+                              .section_in_file = "perpendicular",
+                              .kind_in_totals = orbits_word,
                               .hits = "motion of the body in a plane, without a corner, hits the floor",
                               .hits_it = "motion hits it",
                               .growth = "1.570796326794896619231321691640",
                               .most_digits = 12,  // there are no macro steps in the valley
-                              .max_nodes = 2'000,
-                              .charts = tangent_charts,
+                              .charts = {},
                               .step = nullptr,
                               .is_monotone = true,  // L83
                               .bounds = {body_bounds<Interval>, body_bounds<BigInterval>}};
@@ -96,7 +92,7 @@ const SectionRow plain_body_row = [] {
     row.max_nodes = 20'000'000;
     row.charts = plain_body_charts;
     row.is_monotone = false;
-    row.by_lemma = symmetric_cover;
+    row.bounds = {plain_bounds<Interval>, plain_bounds<BigInterval>};
     return row;
 }();
 
