@@ -24,17 +24,16 @@ struct Proofs {
 
     /// That no trajectory has more than `claimed` collisions, for all ratios of [a, b].
     void cover(Leaf leaf, const mpq_class& a, const mpq_class& b) const {
-        for (std::size_t i = 0; i < section.charts.size(); ++i) {
-            leaf.box = section.root(i, a, b);
+        for (; leaf.chart < section.charts.size(); ++leaf.chart) {
+            leaf.box = section.root(leaf.chart, a, b);
             std::tie(leaf.box.lo[3], leaf.box.hi[3]) = rho;
             text.next();
-            if (i == 0 && (text.fields[0] != "chart" || section.charts[0].name.empty()))
+            if (leaf.chart == 0 && (text.fields[0] != "chart" || section.charts[0].name.empty()))
                 return found(leaf, Place::cover, 1, static_cast<double>(section.charts.size()), "cover");
-            std::string path(section.charts[i].name);
+            std::string path(section.charts[leaf.chart].name);
             if (text.fields.size() != 2 || text.fields[0] != "chart" || text.fields[1] != path)
                 text.reject("syntax", "expected `chart " + path + "`");
-            leaf.chart = i;
-            Tree<Box> tree{text, section.charts[i].axes, tallies[0].lines, leaf.box, path + '.'};
+            Tree<Box> tree{text, section.charts[leaf.chart].axes, tallies[0].lines, leaf.box, path + '.'};
             tree.read([&] { found(leaf, Place::leaf, 1, std::ldexp(1, -tree.depth), tree.path); });
         }
     }
