@@ -103,7 +103,7 @@ Changes of_dyadic(const std::string& word) {
 }
 
 /// The words of the format that may stand in the same place.
-constexpr std::string_view classes[][11] = {
+constexpr std::string_view classes[][12] = {
     {"dumbbell", "body", "none"},
     {"turning", "full", "none", "perpendicular"},
     {"collisions", "initial-conditions", "incoming", "heavy-collisions", "adiabatic-bounce", "adiabatic-run",
