@@ -2,7 +2,7 @@
 // the constants.
 import { Cover } from "./cover.js";
 import { h, labelled, select, table } from "./dom.js";
-import { foundations, verifyBox } from "./file_tables.js";
+import { foundations, heading, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { orbitFromContact } from "./orbit.js";
 import { Player } from "./player.js";
@@ -91,7 +91,7 @@ export function adiabaticSection(file, isAlone) {
         return [unit, bound, value, Number(value) > 0 ? show(Number(bound) / Number(value), 4) : "\u2013"];
     });
     return [
-        h("h2", {}, `The adiabatic invariant: ${title}`),
+        heading(file, `The adiabatic invariant: ${title}`),
         h("p", { class: "claim" }, of(file)),
         h("h3", {}, "What is attained"),
         attained(file),

@@ -4,7 +4,7 @@ import { chartPoints } from "./chart_points.js";
 import { leafText, total, twice } from "./charts.js";
 import { Cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
-import { foundations, verifyBox } from "./file_tables.js";
+import { foundations, heading, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
@@ -186,7 +186,7 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
     const unfolded = file.has_orbits && new Unfolded();
     const born = birth(file, (q) => unfolded.show(q));
     return [
-        h("h2", {}, `${file.system}, ${rangeText(file)}`),
+        heading(file, file.thing ?? `${file.system}, ${rangeText(file)}`),
         h("p", { class: "claim" }, claimText(file), file.section !== "turning" && !file.rho ? " The heavy mass hits the floor at most once." : ""),
         played && h("h3", {}, "The witness orbits"),
         played,

@@ -20,8 +20,10 @@
 namespace dumbbell::page {
 namespace {
 
-/// Where the data and the verifier go: once in the template, in this order.
-constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DUMBBELL_VERIFIER@";
+/// Where the data, the verifier and, in the page of ./run web, the prover go: once in the template, in this
+/// order.
+constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DUMBBELL_VERIFIER@",
+                           prover_place = "@DUMBBELL_PROVER@";
 
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
@@ -95,8 +97,7 @@ void require_few_pieces(const std::vector<std::string>& paths) {
     require_few(pieces);
 }
 
-ReportedFile read_reported(const std::string& path, bool with_bytes) {
-    std::string bytes = file_contents(path);
+ReportedFile read_reported(const std::string& path, std::string bytes, bool with_bytes) {
     const NamedFile file(path, bytes);
     std::string sha256 = sealed_digest(file);
     AnyCertificate content = read_any_certificate(file);
@@ -149,6 +150,7 @@ std::string html_page(const Json& data, std::string_view verifier) {
     };
     put(data_place, respelled(data.text(), {{'<', "\\u003c"}}));
     put(verifier_place, base64(verifier));
+    put(prover_place, "");
     require(rest.find("@DUMBBELL_") == std::string_view::npos,
             "report: the page has one more place for data");
     return text.append(rest);
