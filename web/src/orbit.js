@@ -55,6 +55,9 @@ export function forward(q, state, collision, first, rho = 1 / q) {
     return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner, scene: "dumbbell" };
 }
 
+/// What its two ends are called: of a body with a shape they have no masses.
+export const endsOf = ({ shape }) => (shape ? ["contact 1", "contact 2"] : ["light mass", "heavy mass"]);
+
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
 /// one, each with times from the middle on.
 export function joined(q, middle, out, back, scene, rho = 1 / q) {

@@ -67,7 +67,7 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
             json.add("generator", of.generator.program + " " + of.generator.version);
             json.add("sha256", file.sha256);
             json.add("verify_options", claim_options(of));
-            json.add("verify_file", shell_file(file.path));
+            json.add("verify_file", shell_file(std::filesystem::path(file.path).filename()));
             json.add("bytes", base64(file.bytes));
             return json;
         },
