@@ -10,9 +10,9 @@ import { isLinked, linked, linkedFile } from "./proof_link.js";
 const things = {
     dumbbell: { text: "two masses on a rod without mass", fields: ["ratio"], words: ({ ratio }) => ["ratio", ratio], command: ({ ratio }) => ratio },
     rod: { text: "two masses on a rod with mass", fields: ["ratio", "mass"], words: ({ ratio, mass }) => ["rod", ratio, mass], command: ({ ratio, mass }) => `${ratio} --rod-mass ${mass}` },
-    uniform: { text: "a uniform rod alone", fields: [], words: () => ["body", "1", "3"], command: () => "--rho 1 --inertia 3" },
-    ring: { text: "a thin ring", fields: [], words: () => ["body", "1", "2"], command: () => "--rho 1 --inertia 2" },
-    coin: { text: "a thin coin", fields: [], words: () => ["body", "1", "4"], command: () => "--coin" },
+    uniform: { text: "a uniform rod alone", title: "A uniform rod", fields: [], words: () => ["body", "1", "3"], command: () => "--rho 1 --inertia 3" },
+    ring: { text: "a thin ring", title: "A thin ring", fields: [], words: () => ["body", "1", "2"], command: () => "--rho 1 --inertia 2" },
+    coin: { text: "a thin coin", title: "A thin coin", fields: [], words: () => ["body", "1", "4"], command: () => "--coin" },
 };
 
 const damaged = "The link is damaged: no whole certificate is in it. Was all of it copied?";
@@ -115,7 +115,7 @@ export class Ask {
         } else if (data.usage) { // it may be of a kind that is verified and not shown
             this.show(h("section", {}, h("h2", {}, file.name), h("p", {}, `${data.usage}.`), verified(file, [])));
         } else {
-            Object.assign(data.files[0], { blob: file, ...(claim && { verify_options: claim }), ...(thing?.fields.length === 0 && { thing: thing.text }) });
+            Object.assign(data.files[0], { blob: file, ...(claim && { verify_options: claim }), ...(thing?.title && { thing: thing.title }) });
             this.show(data);
         }
     }

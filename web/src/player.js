@@ -5,7 +5,7 @@ import { h, labelled, output, select, table } from "./dom.js";
 import { DumbbellView } from "./dumbbell_view.js";
 import { grazingSine } from "./flight.js";
 import { show } from "./numbers.js";
-import { endsOf, lengthUnit, stateAt } from "./orbit.js";
+import { endsOf, lengthUnit, stateAt, unitName } from "./orbit.js";
 import { PhaseView } from "./phase_view.js";
 
 const reduced = matchMedia("(prefers-reduced-motion: reduce)");
@@ -59,7 +59,7 @@ export class Player {
         const from = this.clock.times[0];
         this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.rho) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
         this.phase.setOrbit(orbit);
-        this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? "; heights in rod lengths" : ""})`;
+        this.summary.textContent = `Every collision in numbers (doubles${isDumbbell ? `; heights in ${unitName(orbit)}` : ""})`;
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
         this.goto(0);
@@ -96,7 +96,7 @@ export class Player {
         const numbers = hit
             ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, 1 / q, rho), 3)}`
             : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy * unit, 4)}`;
-        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)}${scene === "wedge" ? "" : " rod lengths"}; ${numbers}.`;
+        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)}${scene === "wedge" ? "" : ` ${unitName(this.orbit)}`}; ${numbers}.`;
     }
 
     scrub() {

@@ -249,7 +249,7 @@ export class Staircase {
             keys.push(key("open", "not decided"));
         }
         if (this.isCompared) {
-            keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
+            keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1, \u03b3 = 2 atan(1/\u221aq)"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
         }
         const gaps = this.gaps.length === 0 ? "" : ` ${plural(this.gaps.length, "gap")} between the steps, drawn at least as wide as a line; choose one above to see its true width.`;
         return h("figcaption", {}, h("span", { class: "keys" }, keys), `The staircase.${gaps} Zoom with + and \u2212, move with the arrow keys or by dragging, 0 shows everything.`);

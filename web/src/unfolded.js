@@ -111,7 +111,7 @@ export class Unfolded {
     }
 
     draw() {
-        this.value.textContent = `at ${Number(this.height.value) / radius} corners`; // in distances of the corner from the vertex
+        this.value.textContent = `at ${Number(this.height.value) / radius} of a corner\u2019s distance`;
         [wedge(this.q, Number(this.height.value)), dumbbell(this.q)].forEach(({ shapes, text }, i) => {
             this.parts[i].picture.replaceChildren(...shapes.filter(Boolean));
             this.parts[i].told.textContent = text;
