@@ -13,6 +13,7 @@ const things = {
     uniform: { text: "a uniform rod alone", title: "A uniform rod", fields: [], words: () => ["body", "1", "3"], command: () => "--rho 1 --inertia 3" },
     ring: { text: "a thin ring", title: "A thin ring", fields: [], words: () => ["body", "1", "2"], command: () => "--rho 1 --inertia 2" },
     coin: { text: "a thin coin", title: "A thin coin", fields: [], words: () => ["body", "1", "4"], command: () => "--coin" },
+    body: { text: "any body with two contacts", fields: ["rho", "inertia"], words: ({ rho, inertia }) => ["body", rho, inertia], command: ({ rho, inertia }) => `--rho ${rho} --inertia ${inertia}` },
 };
 
 const damaged = "The link is damaged: no whole certificate is in it. Was all of it copied?";
@@ -23,8 +24,9 @@ export class Ask {
         this.show = show;
         this.thing = select(Object.entries(things).map(([id, { text }]) => [id, text]), "dumbbell", () => this.fit());
         const field = (value, size) => h("input", { type: "text", value, size, autocomplete: "off", spellcheck: "false" });
-        this.fields = { ratio: field("10", 10), mass: field("1/100", 6) };
-        this.labels = { ratio: labelled("mass ratio, or a range like 1:100", this.fields.ratio), mass: labelled("mass of the rod over that of both ends", this.fields.mass) };
+        const texts = { ratio: "mass ratio, or a range like 1:100", mass: "mass of the rod over that of both ends", rho: "\u03c1 = d2/d1, of the distances of the contacts from the centre of mass", inertia: "Q = (d1/k)\u00b2, k the radius of gyration" };
+        this.fields = { ratio: field("10", 10), mass: field("1/100", 6), rho: field("1/2", 6), inertia: field("9", 6) };
+        this.labels = Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, labelled(text, this.fields[name])]));
         this.told = output("told");
         this.stop = h("button", { type: "button", hidden: true, onclick: () => this.job?.stop() }, "Stop");
         this.more = h("div", {});

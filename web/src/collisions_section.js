@@ -133,7 +133,8 @@ function witnesses(file, moves) {
         player.load(orbit);
         const found = orbit.collisions.length;
         about.replaceChildren(
-            `An orbit with ${plural(claimed, "collision")}, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}; its start is exact in the certificate. Here it is computed in double precision at ${piece.symbol} = ${show(q, 10)}, as an illustration. `,
+            chart === "corner" ? `Motions close to the corner have ${plural(claimed, "collision")}` : `An orbit with ${plural(claimed, "collision")}, which the certificate has exactly`,
+            `, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}. Here ${chart === "corner" ? "one" : "it"} is computed in double precision at ${piece.symbol} = ${show(q, 10)}, as an illustration. `,
             retraces(orbit) ? "It retraces itself: from the middle on it runs back nearly the way it came, for time can be reversed. So the collisions stand in pairs, the first and the last one at one place. " : "",
             found < claimed && chart !== "corner" ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The proof does not rest on them.`) : "",
         );
