@@ -7,7 +7,7 @@ import { certificates, report, root, scratch } from "./program.mjs";
 
 const { chromium } = createRequire(join(root, "web", "package.json"))("playwright-core");
 
-const patience = Number(process.env.PATIENCE ?? 600_000); // ms: more than anything takes on a busy machine
+const patience = 600_000; // ms: more than anything takes on a busy machine
 
 export const launch = () =>
     chromium.launch({ executablePath: process.env.DUMBBELL_CHROMIUM, timeout: patience, args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });

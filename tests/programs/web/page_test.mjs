@@ -74,7 +74,7 @@ onPage("bodies have contacts, and look like what they are", async (tab) => {
     }
     await thing(tab).selectOption("body");
     await tab.getByLabel(/^Q =/).fill("3:4");
-    await ask(tab, null, "N(Q) goes from");
+    await ask(tab, null, "N(Q) is 3 as Q goes from 3 to 4");
     await thing(tab).selectOption("rod");
     await ask(tab, "10", "N(Q) = 5");
 });
