@@ -75,6 +75,7 @@ export class Ask {
     /// A call of the prover, as JSON; null if it came to no answer, which is said, with `instead`; or if there is another question by then.
     async answer(name, input, ...instead) {
         this.job?.stop();
+        this.show(h("div", {})); // what was shown answers another question
         const job = prover.call(name, input, { progress: (done, total) => this.say(`Proving: ${done.toLocaleString("en")} of ${total.toLocaleString("en")}`) });
         this.job = job;
         this.stop.hidden = false;

@@ -28,8 +28,12 @@ export function verifyBox(file) {
     const blob = fileOf(file);
     const check = (options) => verified(blob, options.split(/\s+/).filter(Boolean), file.badge);
     const host = h("div", {}, check(file.verify_options));
+    const again = () => {
+        host.querySelector("button")?.click(); // stops what is under way
+        host.replaceChildren(check(claim.value));
+    };
     const claim = h("input", { type: "text", class: "claimed", value: file.verify_options, autocomplete: "off", spellcheck: "false" });
-    const form = h("form", { class: "controls", onsubmit: (event) => (event.preventDefault(), host.replaceChildren(check(claim.value))) }, labelled("Claim", claim), h("button", { type: "submit" }, "Verify"));
+    const form = h("form", { class: "controls", onsubmit: (event) => (event.preventDefault(), again()) }, labelled("Claim", claim), h("button", { type: "submit" }, "Verify"));
     return h("div", { class: "verify" }, host, form, file.blob && keeping(blob), lastly);
 }
 

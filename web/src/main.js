@@ -46,6 +46,7 @@ const shown = h("div", {});
 
 /// A section for each file; or an element that says something else.
 function show(what) {
+    [...shown.querySelectorAll(".outcome button")].reverse().forEach((stop) => stop.click()); // the last first: none begins
     if (what instanceof Element) {
         shown.replaceChildren(what);
         return;

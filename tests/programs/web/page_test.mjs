@@ -96,7 +96,7 @@ onPage("files of every kind are verified and shown; one of the law is verified",
         assert.equal(await tab.locator("#file-1 canvas").count() > 0, true, name);
     }
     await tab.locator("#files").setInputFiles(shipped("law.dbc.gz"));
-    await tab.waitForFunction(() => /Verifying: /.test(document.querySelector(".state").textContent));
+    await tab.waitForFunction(() => /Verifying: /.test(document.querySelector(".state")?.textContent));
     await tab.locator(".outcome").getByRole("button", { name: "Stop" }).click();
     await ended(tab);
     assert.equal(await tab.locator(".state").textContent(), "Stopped");
