@@ -1,6 +1,4 @@
 // The prover of `dumbbell certify`, and what the page shows of a certificate, as a WebAssembly module.
-#include <fmt/format.h>
-
 #include "base/error.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/claim.hpp"
@@ -40,8 +38,6 @@ bool is_short(const Claim& claim) {
     return claim.range.hi <= (claim.range.is_single() ? 1'000'000'000 : 1000);
 }
 
-constexpr std::chrono::duration<double> budget(30);
-
 Json certified() {
     Claim claim = claim_in(words_given());
     if (claim.range.is_single()) claim.gap = 0;  // there is none to be named
@@ -52,17 +48,16 @@ Json certified() {
         return json;
     }
     Page page;
-    const auto proved =
-        collisions::certify({.claim = claim, .budget = budget, .describes = false, .observer = &page});
+    const auto proved = collisions::certify(
+        {.claim = claim, .budget = std::chrono::seconds(30), .describes = false, .observer = &page});
     std::vector<const collisions::Piece*> pieces;
-    bool is_decided = true;
     for (const collisions::ProvedPiece& each : proved) {
         pieces.push_back(&each.piece);
-        is_decided = is_decided && each.piece.status() != collisions::Status::open;
-    }
-    if (!is_decided) {
-        json.add("why", fmt::format("{} seconds did not suffice", budget.count()));
-        return json;
+        if (each.piece.status() == collisions::Status::open) {
+            const bool is_late = each.obstacle == collisions::Obstacle::time;
+            json.add("why", is_late ? "30 seconds did not suffice" : "the search came to no proof");
+            return json;
+        }
     }
     json.add("certificate", render({.pieces = {}, .system = claim.system}, pieces).text);
     json.add("claim", options_to_check(claim, pieces));

@@ -16,15 +16,11 @@ constexpr auto find_if(Range&& range, Test test) {
 }
 template <class Range, class Test>
 constexpr bool all_of(Range&& range, Test test) {
-    return std::all_of(begin(range), end(range), [&](const auto& x) { return invoke(test, x); });
-}
-template <class Range, class Test>
-constexpr bool any_of(Range&& range, Test test) {
-    return std::any_of(begin(range), end(range), [&](const auto& x) { return invoke(test, x); });
+    return std::all_of(begin(range), end(range), ref(test));
 }
 template <class Range, class Test>
 constexpr bool none_of(Range&& range, Test test) {
-    return !any_of(range, test);
+    return std::none_of(begin(range), end(range), ref(test));
 }
 template <class Range, class Use>
 constexpr void for_each(Range&& range, Use use) {
@@ -37,10 +33,6 @@ constexpr void transform(Range&& range, To to, Operation operation) {
 template <class Range, class To>
 constexpr void move(Range&& range, To to) {
     std::move(begin(range), end(range), to);
-}
-template <class Range, class Value>
-constexpr auto lower_bound(Range&& range, const Value& value) {
-    return std::lower_bound(begin(range), end(range), value);
 }
 
 /// `compare` of what the projection makes of two elements.
@@ -61,10 +53,6 @@ constexpr auto max_element(Range&& range, Compare compare = {}, Projection proje
 template <class Range, class Compare = std::less<>, class Projection = identity>
 constexpr void sort(Range&& range, Compare compare = {}, Projection projection = {}) {
     std::sort(begin(range), end(range), projected(compare, projection));
-}
-template <class Range, class Compare = std::less<>, class Projection = identity>
-constexpr void stable_sort(Range&& range, Compare compare = {}, Projection projection = {}) {
-    std::stable_sort(begin(range), end(range), projected(compare, projection));
 }
 
 }  // namespace std::ranges

@@ -30,7 +30,8 @@ export class Ask {
         this.told = output("told");
         this.stop = h("button", { type: "button", hidden: true, onclick: () => this.job?.stop() }, "Stop");
         this.more = h("div", {});
-        const chooser = h("input", { type: "file", id: "files", multiple: true, onchange: () => this.take(chooser.files) });
+        const take = ([file]) => file && this.read(file);
+        const chooser = h("input", { type: "file", id: "files", multiple: true, onchange: () => take(chooser.files) });
         this.element = h(
             "form",
             { class: "verify ask", onsubmit: (event) => (event.preventDefault(), this.ask()) },
@@ -40,7 +41,7 @@ export class Ask {
             this.more,
         );
         this.fit();
-        this.watchDrops();
+        watchDrops(take);
         addEventListener("hashchange", () => isLinked() && this.open());
     }
 
@@ -122,24 +123,18 @@ export class Ask {
             this.show(data);
         }
     }
+}
 
-    take([file]) {
-        if (file) {
-            this.read(file);
-        }
-    }
-
-    watchDrops() {
-        const over = (is) => document.documentElement.classList.toggle("dropping", is);
-        addEventListener("dragover", (event) => {
-            event.preventDefault();
-            over(true);
-        });
-        addEventListener("dragleave", (event) => event.relatedTarget === null && over(false));
-        addEventListener("drop", (event) => {
-            event.preventDefault();
-            over(false);
-            this.take(event.dataTransfer.files);
-        });
-    }
+function watchDrops(take) {
+    const over = (is) => document.documentElement.classList.toggle("dropping", is);
+    addEventListener("dragover", (event) => {
+        event.preventDefault();
+        over(true);
+    });
+    addEventListener("dragleave", (event) => event.relatedTarget === null && over(false));
+    addEventListener("drop", (event) => {
+        event.preventDefault();
+        over(false);
+        take(event.dataTransfer.files);
+    });
 }

@@ -1,9 +1,10 @@
 // The prover as WebAssembly, under node: it makes the program's certificates, byte for byte, and says what it does not decide.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { basename } from "node:path";
 import test from "node:test";
 import { call, lines, moduleFrom } from "../../../web/src/modules/module.js";
-import { dumbbell, scratch } from "../page/program.mjs";
+import { certificates, dataIn, dumbbell, report, scratch, shipped } from "../page/program.mjs";
 
 const module = await moduleFrom(readFileSync(process.env.DUMBBELL_WEB_PROVER).toString("base64"));
 const place = scratch();
@@ -42,10 +43,15 @@ test("what is no question is said, and nothing proved", async () => {
     }
 });
 
-test("of a file it gives what dumbbell report puts into a page, and names one that is damaged", async () => {
-    const { certificate } = await asked("ratio", "1:100");
-    const shown = async (text) => JSON.parse(await call(module, "show", new TextEncoder().encode(`stairs.dbc\n${text}`), () => {}));
-    const { files: [file], bodies } = await shown(certificate);
-    assert.deepEqual([file.name, file.lower, file.upper, file.pieces.length, file.bytes, bodies], ["stairs.dbc", 2, 10, 17, "", ""]);
-    assert.match((await shown(certificate.replace("upper 4", "upper 3"))).usage, /stairs\.dbc/);
+const shown = async (name, bytes) => JSON.parse(await call(module, "show", Buffer.concat([Buffer.from(`${name}\n`), bytes]), () => {}));
+
+for (const [name, file] of Object.entries({ ...certificates(place), body: shipped("body-1e6.dbc"), stairs: shipped("stairs-1-1e6.dbc.gz") })) {
+    test(`of a file it gives what dumbbell report puts into a page: ${name}`, async () => {
+        assert.deepEqual(await shown(basename(file), readFileSync(file)), dataIn(report(place("page.html"), file)));
+    });
+}
+
+test("a damaged file is named", async () => {
+    const text = readFileSync(shipped("stairs-1-100.dbc"), "utf8").replace("upper 4", "upper 3");
+    assert.match((await shown("stairs.dbc", Buffer.from(text))).usage, /stairs\.dbc/);
 });

@@ -5,13 +5,9 @@
 class Module {
     constructor(id) {
         this.packed = document.getElementById(id)?.textContent.trim() ?? "";
+        this.isHere = this.packed !== ""; // in this page
         this.worker = null;
         this.last = Promise.resolve();
-    }
-
-    /// Does this page contain it?
-    get isHere() {
-        return this.packed !== "";
     }
 
     /// Unpacks and compiles it.
