@@ -10,7 +10,7 @@ template <class I>
 std::optional<Leaf> judge(Chart chart, const Box& box, const Count& upper, const Interrupted& interrupted) {
     const ChartRow& row = row_of(chart);
     if constexpr (!std::is_same_v<I, Interval>) {
-        constexpr long most = 20'000'000'000'000;  // collisions: it cannot tell such counts apart
+        const Count most = 20'000'000'000'000LL;  // collisions: it cannot tell such counts apart
         if (upper <= most) {
             if (auto leaf = judge<Interval>(chart, box, upper, interrupted)) {
                 return leaf;

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -66,7 +67,11 @@ class Count {
     friend std::ostream& operator<<(std::ostream& out, const Count& x);
 
   private:
-    static constexpr bool fits(long value) { return -(1L << 62) <= value && value < 1L << 62; }
+    /// With the tag's bit beside it.
+    static constexpr bool fits(long value) {
+        constexpr long half = std::numeric_limits<long>::max() / 2;
+        return -half <= value && value <= half;
+    }
     static constexpr std::intptr_t tagged(long value) { return 2 * value + 1; }
     static std::intptr_t address_of_new(Integer value);
     void free_large() const;

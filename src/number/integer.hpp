@@ -4,8 +4,10 @@
 
 #include <compare>
 #include <concepts>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace dumbbell {
@@ -14,13 +16,18 @@ namespace dumbbell {
 class Integer {  // NOLINT(cppcoreguidelines-special-member-functions): one assignment does both
   public:
     Integer() noexcept { mpz_init(z_); }
-    template <std::signed_integral T>
-    Integer(T value) {  // NOLINT(google-explicit-constructor): no value is lost
-        mpz_init_set_si(z_, value);
-    }
-    template <std::unsigned_integral T>
-    Integer(T value) {  // NOLINT(google-explicit-constructor)
-        mpz_init_set_ui(z_, value);
+    template <std::integral T>
+    Integer(T value) {                             // NOLINT(google-explicit-constructor): no value is lost
+        if constexpr (sizeof(T) > sizeof(long)) {  // of which GMP has no calls
+            mpz_init_set(
+                z_, Integer(std::conditional_t<std::is_signed_v<T>, long, unsigned long>(value >> 32)).z_);
+            *this <<= 32;
+            mpz_add_ui(z_, z_, static_cast<std::uint32_t>(value));
+        } else if constexpr (std::is_signed_v<T>) {
+            mpz_init_set_si(z_, value);
+        } else {
+            mpz_init_set_ui(z_, value);
+        }
     }
     /// Of decimal digits, with or without a sign. Precondition: they are such.
     explicit Integer(const std::string& digits);

@@ -16,7 +16,7 @@ constexpr int on_one_line = -1;
 
 /// The one place that spells an integer. Every integer below 2^53 is a double.
 std::string spelled(const Count& value) {
-    const Count limit = 1L << 53;
+    const Count limit(Integer(1) << 53);
     const bool is_double = value < limit && Count(0) - value < limit;
     return is_double ? value.str() : '"' + value.str() + '"';
 }

@@ -26,12 +26,14 @@ export function birth(file, turned) {
     const view = new PhaseView();
     const told = output("readout");
     const slider = h("input", { type: "range", min: 0, max: steps, step: 1, class: "scrub", "aria-label": "Mass ratio q", oninput: () => turn(at(Number(slider.value))) });
+    const value = h("strong", { class: "value" });
     const at = (i) => ends.from * (ends.to / ends.from) ** (i / steps);
     let q = 0;
     function turn(next) {
         q = Math.min(ends.to, Math.max(ends.from, next));
         slider.value = Math.round((steps * Math.log(q / ends.from)) / Math.log(ends.to / ends.from));
-        slider.setAttribute("aria-valuetext", `q = ${show(q, 8)}`);
+        value.textContent = `q = ${show(q, 6)}`;
+        slider.setAttribute("aria-valuetext", value.textContent);
         const { longest, other, name } = longestOrbit(q);
         view.setOrbit(longest, other);
         view.plane.draw();
@@ -44,7 +46,7 @@ export function birth(file, turned) {
     } }, text);
     turn(Math.sqrt(ends.from * ends.to));
     return h("figure", { class: "wide birth" },
-        h("div", { class: "controls transport" }, slider, jump("\u25c0 Step before", -1), jump("Next step \u25b6", 1)),
+        h("div", { class: "controls transport" }, value, show(ends.from, 4), slider, show(ends.to, 4), jump("\u25c0 Step before", -1), jump("Next step \u25b6", 1)),
         view.element, told,
         h("figcaption", {}, "Move q. Just below a step the faint orbit\u2019s first and last flights pass close above the floor curve; at the step they touch it, and from then on that orbit is the longest: it has gained a collision at either end. Computed by this page in double precision."));
 }

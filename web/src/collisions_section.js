@@ -4,7 +4,7 @@ import { chartPoints } from "./chart_points.js";
 import { leafText, total } from "./charts.js";
 import { Cover } from "./cover.js";
 import { h, labelled, longTable, select, table } from "./dom.js";
-import { foundations, verifyBox } from "./file_tables.js";
+import { foundations, heading, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { Player } from "./player.js";
 import { parse, toNumber } from "./rational.js";
@@ -18,22 +18,20 @@ const rangeText = ({ symbol, lo_text, hi_text }) => (lo_text === hi_text ? `${sy
 const valueText = ({ status, upper, lower }) =>
     status === "exact" ? `N = ${upper}` : upper - lower === 1 ? `N = ${lower} or ${upper}` : upper === null ? `N \u2265 ${lower}` : `${lower} \u2264 N \u2264 ${upper}`;
 
-function claimText(file) {
-    const { pieces, symbol, ratio, where, lo_text, hi_text } = file;
+const bodyText = " (The contacts of the body are at the distances d1 \u2265 d2 from its centre of mass, \u03c1 = d2/d1; k is its radius of gyration, and Q = (d1/k)\u00b2.)";
+
+/// The result in words.
+function claimText({ pieces, symbol, rho, ratio, where, lo_text, hi_text, upper, lower }) {
     const number = (status) => pieces.filter((p) => p.status === status).length;
+    const known = rho ? bodyText : "";
     if (lo_text === hi_text && pieces.length === 1 && pieces[0].status === "exact") {
-        const n = pieces[0].upper;
-        return `With ${ratio} = ${shortened(lo_text)} no trajectory${where} hits the floor more than ${n} times, and some trajectory does so ${n} times: N(${symbol}) = ${n}.`;
+        return `N(${symbol}) = ${upper}: with ${ratio} = ${shortened(lo_text)} no trajectory${where} hits the floor more than ${plural(upper, "time")}, and some trajectory hits it ${plural(upper, "time")}.${known}`;
     }
-    const parts = [`${plural(number("exact"), "piece")} with one value of N(${symbol})`];
-    if (number("gap") > 0) {
-        parts.push(`${plural(number("gap"), "gap")} around the steps, with ${file.rho ? "two or three" : "two"} neighbouring values`);
-    }
-    if (number("open") > 0) {
-        parts.push(`${plural(number("open"), "open piece")}, not decided`);
-    }
-    const span = file.upper === null ? `at least ${file.lower}` : `from ${file.lower} to ${file.upper}`;
-    return `For every ${ratio} from ${shortened(lo_text)} to ${shortened(hi_text)}, the greatest number N(${symbol}) of collisions of any trajectory${where}: ${span}, in ${parts.join(" and ")}.`;
+    const from = `${symbol} goes from ${shortened(lo_text)} to ${shortened(hi_text)}`;
+    const result = upper === null ? `is at least ${lower} as ${from}` : upper === lower ? `is ${upper} as ${from}` : `goes from ${lower} to ${upper} as ${from}`;
+    const gaps = number("gap") > 0 ? ` It is known at every ${symbol} but in ${plural(number("gap"), "narrow gap")} around its steps, where it is one of ${rho ? "two or three" : "two"} neighbouring numbers.` : "";
+    const open = number("open") > 0 ? ` In ${plural(number("open"), "part")} of the range it is not decided.` : "";
+    return `N(${symbol}) ${result}: the greatest number of collisions of any trajectory${where}, by the ${ratio}.${gaps}${open}${known}`;
 }
 
 function coverNote(file) {
@@ -100,10 +98,18 @@ function marksOf(file, chart, q, piece) {
     ].filter(({ points }) => points.length > 0);
 }
 
-const orbitOf = ({ rho }, piece, q) => {
-    const { e, eta } = piece.witness;
-    return bridgeOrbit(toNumber(parse(e)), toNumber(parse(eta)), q, rho ? toNumber(parse(rho)) : 1 / q);
-};
+/// A thin coin, a thin ring, or else a rod.
+const shapeOf = (rho, q) => (rho !== 1 ? "rod" : q === 4 ? "disc" : q === 2 ? "ring" : "rod");
+
+function orbitOf({ rho }, { witness }, q) {
+    const [e, eta, height] = [witness.e, witness.eta, rho].map((text) => text && toNumber(parse(text)));
+    return rho ? { ...bridgeOrbit(e, eta, q, height), shape: shapeOf(height, q) } : bridgeOrbit(e, eta, q, 1 / q);
+}
+
+const sameAngle = 0.1; // radians between two places of the floor that look like one
+
+/// Whether it runs back as it came: then the same places are hit twice.
+const retraces = ({ collisions }) => collisions.length > 1 && collisions.every(({ psi }, i) => Math.abs(psi - collisions.at(-1 - i).psi) < sameAngle);
 
 /// The witness orbits, at the middle of their pieces.
 function witnesses(file, moves) {
@@ -117,29 +123,26 @@ function witnesses(file, moves) {
         const piece = pieces[i];
         const [lo, hi] = [toNumber(parse(piece.lo)), toNumber(parse(piece.hi))];
         const q = lo * Math.sqrt(hi / lo);
-        const { e, eta, forward, backward, chart } = piece.witness;
+        const { chart } = piece.witness;
         const orbit = orbitOf(file, piece, q);
         const claimed = total(piece.witness);
         player.load(orbit);
         const found = orbit.collisions.length;
-        const start = `contact of the heavy ${file.rho ? "end" : "mass"} at e = ${shortened(e)}, \u03b7 = ${shortened(eta)}`;
-        const said = chart === "corner" ? `motions close to the corner have ${plural(claimed, "collision")}` : `the ${start}, exactly, has at least ${plural(forward, "later collision")} and ${backward} earlier: ${claimed} in all`;
         about.replaceChildren(
-            h("strong", {}, `Claimed by the file: `),
-            `${said}, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}. `,
-            h("strong", {}, "Computed by this page: "),
-            `the motion from ${chart === "corner" ? `a ${start}` : "this start"} at ${piece.symbol} = ${show(q, 10)}, in double precision, as an illustration. `,
-            found < claimed && chart !== "corner" ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The file\u2019s count does not rest on them.`) : "",
+            chart === "corner" ? `Motions close to the corner have ${plural(claimed, "collision")}` : `An orbit with ${plural(claimed, "collision")}, which the certificate has exactly`,
+            `, for ${piece.lo === piece.hi ? "" : "every "}${rangeText(piece)}. Here ${chart === "corner" ? "one" : "it"} is computed in double precision at ${piece.symbol} = ${show(q, 10)}, as an illustration. `,
+            retraces(orbit) ? "It retraces itself: from the middle on it runs back nearly the way it came, for time can be reversed. So the collisions stand in pairs, the first and the last one at one place. " : "",
+            found < claimed && chart !== "corner" ? h("span", { class: "warning" }, `Doubles lose it after ${plural(found, "collision")}: so close to a step they are too coarse. The proof does not rest on them.`) : "",
         );
     };
     const last = pieces.length - 1;
-    const choice = last > 0 && labelled("Witness", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), last, (i) => load(Number(i))));
+    const choice = last > 0 && labelled("Orbit", select(pieces.map((p, i) => [i, `${rangeText(p)}: ${total(p.witness)} collisions`]), last, (i) => load(Number(i))));
     load(last);
     if (moves) {
         player.playOnce();
     }
     return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {},
-        "A witness orbit: the dumbbell (or the line between a body\u2019s contacts), and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the point masses. The view goes on a little before the first and after the last collision."));
+        `Left ${file.rho ? "the body" : "the dumbbell"}, right the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the ${file.rho ? "contacts" : "point masses"}.`));
 }
 
 const mostRows = 200;
@@ -156,8 +159,8 @@ function piecesTable(file) {
     return h(
         "details",
         { class: "tables", open: file.pieces.length <= 40 },
-        h("summary", {}, "What is claimed"),
-        longTable("Piece by piece", head, file.pieces.map(row), [boxesColumn, boxesColumn + 1], mostRows),
+        h("summary", {}, "Piece by piece"),
+        longTable("What is claimed", head, file.pieces.map(row), [boxesColumn, boxesColumn + 1], mostRows),
         totals.length > 0 && table("Boxes of all covers, by reason", ["reason", "boxes"], totals, [1]),
     );
 }
@@ -181,19 +184,20 @@ export function collisionsSection(file, constant, isAlone, isFirst) {
     const unfolded = file.has_orbits && new Unfolded();
     const born = birth(file, (q) => unfolded.show(q));
     return [
-        h("h2", {}, `${file.system}, ${rangeText(file)}`),
+        heading(file, file.thing ?? `${file.system}, ${rangeText(file)}`),
         h("p", { class: "claim" }, claimText(file), file.section !== "turning" && !file.rho ? " The heavy mass hits the floor at most once." : ""),
-        played && h("h3", {}, "The witness orbits"),
-        played,
-        verifyBox(file),
         isRange && h("h3", {}, "The staircase"),
         isRange && new Staircase(file, constant).element,
+        played && h("h3", {}, "The longest orbit"),
+        played,
+        unfolded && h("h3", {}, "Why not more? The wedge, unfolded"),
+        unfolded && unfolded.element,
         born && h("h3", {}, "How one more collision is born"),
         born,
-        unfolded && h("h3", {}, "Why not more? The wedge, unfolded"),
-        unfolded.element,
         hasBoxes && coverPart(file),
         piecesTable(file),
+        h("h3", {}, "The certificate"),
+        verifyBox(file),
         foundations(file, isAlone),
     ];
 }

@@ -69,18 +69,23 @@ export function longTable(caption, head, rows, numeric, most) {
     return host;
 }
 
-/// A command to type, with a button that copies it.
-export function command(text) {
-    const button = h("button", { type: "button", onclick: copy }, "Copy");
+/// A button that copies a text. Where there is no clipboard, `shown` is selected: it can be copied by hand.
+export function copying(name, text, shown = null) {
+    const button = h("button", { type: "button", onclick: copy }, name);
     async function copy() {
         try {
             await navigator.clipboard.writeText(text);
             button.textContent = "Copied";
         } catch {
-            getSelection().selectAllChildren(code); // no clipboard here: it can be copied by hand
+            shown ? getSelection().selectAllChildren(shown) : prompt(name, text);
         }
-        setTimeout(() => (button.textContent = "Copy"), 1500);
+        setTimeout(() => (button.textContent = name), 1500);
     }
+    return button;
+}
+
+/// A command to type, with a button that copies it.
+export function command(text) {
     const code = h("code", {}, text);
-    return h("div", { class: "command" }, code, button);
+    return h("div", { class: "command" }, code, copying("Copy", text, code));
 }

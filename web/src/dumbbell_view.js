@@ -1,6 +1,7 @@
-// The dumbbell itself: rod, two masses, floor. The centre of mass moves to and fro with nothing: its uniform horizontal motion is
+// The dumbbell itself: rod, two masses, floor; or a body, with its two contacts: a disc or a ring, seen aslant, or a rod. The centre of mass moves to and fro with nothing: its uniform horizontal motion is
 // left out. Lengths are rod lengths, upwards negative; a mass is a dot as wide as its line.
 import { h, s } from "./dom.js";
+import { endsOf } from "./orbit.js";
 
 const trailParts = 60;
 const trailTime = 2.2;
@@ -18,10 +19,11 @@ export class DumbbellView {
         this.rod = s("line", { class: "rod", "stroke-width": 3 });
         this.masses = { heavy: dot("heavy", least), light: dot("light", least) };
         this.centre = dot("centre", 3.6);
+        this.disc = s("ellipse", { class: "disc", rx: 0.5, ry: 0.13, "stroke-width": 2 });
         this.mark = s("ellipse", { rx: 0.16, ry: 0.045, "stroke-width": 2 });
-        this.picture = s("svg", { role: "img", "aria-label": "The dumbbell above the floor" }, ...this.trails.light, ...this.trails.heavy, this.rod, this.masses.heavy, this.masses.light, this.centre, this.mark);
-        const key = (mass) => h("span", { class: `mass ${mass}` }, `${mass} mass`);
-        this.element = h("div", { class: "dumbbell" }, this.picture, h("p", { class: "floor" }, key("light"), key("heavy")));
+        this.picture = s("svg", { role: "img", "aria-label": "The dumbbell above the floor" }, ...this.trails.light, ...this.trails.heavy, this.disc, this.rod, this.masses.heavy, this.masses.light, this.centre, this.mark);
+        this.keys = ["light", "heavy"].map((mass) => h("span", { class: `mass ${mass}` }));
+        this.element = h("div", { class: "dumbbell" }, this.picture, h("p", { class: "floor" }, this.keys));
     }
 
     /// height: what the picture must hold, in rod lengths; at(t): the state at another time, for the trail, which begins with the
@@ -30,7 +32,12 @@ export class DumbbellView {
         this.rho = orbit.rho;
         this.at = at;
         this.picture.setAttribute("viewBox", `${-across / 2} ${-height} ${across} ${height}`);
-        this.masses.heavy.setAttribute("stroke-width", least * Math.min(3.2, orbit.rho ** -0.28));
+        const { shape } = orbit;
+        this.masses.heavy.setAttribute("stroke-width", shape ? least : least * Math.min(3.2, orbit.rho ** -0.28));
+        this.rod.setAttribute("stroke-width", shape === "rod" ? 8 : 3);
+        this.rod.classList.toggle("none", shape === "disc" || shape === "ring");
+        this.disc.setAttribute("class", shape === "disc" || shape === "ring" ? shape : "none");
+        this.keys.forEach((key, i) => (key.textContent = endsOf(orbit)[i]));
     }
 
     /// Where the masses and their centre are.
@@ -47,6 +54,7 @@ export class DumbbellView {
         place(this.masses.light, light);
         place(this.masses.heavy, heavy);
         place(this.centre, centre);
+        this.disc.setAttribute("transform", `translate(${centre}) rotate(${90 + (state.psi * -180) / Math.PI})`);
         this.mark.setAttribute("class", hit ? (hit.heavy ? "heavy" : "light") : "none");
         this.mark.setAttribute("cx", hit?.heavy ? heavy[0] : light[0]);
         this.showTrail(state);

@@ -2,7 +2,7 @@
 // that can be dragged, and its shares.
 import { Cover } from "./cover.js";
 import { h, table } from "./dom.js";
-import { foundations, verifyBox } from "./file_tables.js";
+import { foundations, heading, verifyBox } from "./file_tables.js";
 import { plural, shortened, show } from "./numbers.js";
 import { Player } from "./player.js";
 import { fromDecimal, parse, subtract, toNumber } from "./rational.js";
@@ -108,7 +108,7 @@ export function initialSection(file, own, isAlone, isFirst) {
         beside.playOnce();
     }
     return [
-        h("h2", {}, isIncoming ? "Incoming trajectories" : "Initial conditions"),
+        heading(file, isIncoming ? "Incoming trajectories" : "Initial conditions"),
         h("p", { class: "claim" }, claimText(file)),
         h("h3", {}, "The cover, and the motion from the start in it"),
         h("div", { class: "pair" }, map.element, beside.element),

@@ -46,6 +46,12 @@ export function forward(q, state, collision, first, rho = 1 / q) {
     return { q, rho, collisions, first, last: { ...state, until }, complete, isCorner };
 }
 
+/// What its two ends are called: of a body with a shape they have no masses.
+export const endsOf = ({ shape }) => (shape ? ["contact 1", "contact 2"] : ["light mass", "heavy mass"]);
+
+/// What its lengths are measured in.
+export const unitName = ({ shape }) => (shape ? "distances of the contacts" : "rod lengths");
+
 /// An orbit from its middle: `rays.out` and `rays.back` are the collisions along the outgoing ray and along the reversed incoming
 /// one, each with times from the middle on.
 export function joined(q, middle, out, back, rho = 1 / q) {

@@ -1,6 +1,6 @@
 // The same motion as a point (psi, y) above the floor curve: it flies straight and is reflected.
 import { floorAt } from "./flight.js";
-import { lengthUnit } from "./orbit.js";
+import { lengthUnit, unitName } from "./orbit.js";
 import { Plane } from "./plane.js";
 import { colour } from "./theme.js";
 import { angleTicks } from "./ticks.js";
@@ -14,7 +14,7 @@ export class PhaseView {
             home: { x0: -4, x1: 4, y0: -0.1, y1: 1.4 },
             height: 340,
             xLabel: "\u03c8 = \u03c6 \u2212 \u03c0/2: angle from upright",
-            yLabel: "y: height (rod lengths)",
+            yLabel: () => `y: height (${unitName(this.orbit ?? {})})`,
             xTicks: angleTicks,
             draw: (plane) => this.draw(plane),
         });

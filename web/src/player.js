@@ -5,7 +5,7 @@ import { h, labelled, output, select, table } from "./dom.js";
 import { DumbbellView } from "./dumbbell_view.js";
 import { grazingSine } from "./flight.js";
 import { show } from "./numbers.js";
-import { lengthUnit, stateAt } from "./orbit.js";
+import { endsOf, lengthUnit, stateAt, unitName } from "./orbit.js";
 import { PhaseView } from "./phase_view.js";
 
 const reduced = matchMedia("(prefers-reduced-motion: reduce)");
@@ -55,6 +55,7 @@ export class Player {
         const from = this.clock.times[0];
         this.dumbbell.setOrbit(orbit, Math.min(6, Math.max(2.1, top / (1 + orbit.rho) + 1.08)), (t) => stateAt(orbit, Math.max(from, t)));
         this.phase.setOrbit(orbit);
+        this.summary.textContent = `Every collision in numbers (doubles; heights in ${unitName(orbit)})`;
         this.position.max = this.clock.flights;
         this.rows.replaceChildren();
         this.goto(0);
@@ -82,7 +83,7 @@ export class Player {
         const all = `${n} ${collisions.length === 1 ? "collision" : "collisions"}`;
         const end = complete ? "it never hits the floor again" : isCorner ? "both masses hit the floor at once, and no motion is defined" : "it is not followed any further";
         const words = hit
-            ? `Collision ${state.done} of ${n}, of the ${hit.heavy ? "heavy" : "light"} mass`
+            ? `Collision ${state.done} of ${n}, of ${this.orbit.shape ? "" : "the "}${endsOf(this.orbit)[hit.heavy ? 1 : 0]}`
             : state.done === 0
               ? collisions.length === 0 ? `${complete ? "It never hits the floor" : `Before any collision: ${end}`}` : `Before the first of ${all}`
               : state.done === collisions.length
@@ -91,7 +92,7 @@ export class Player {
         const numbers = hit
             ? `velocities (\u03c8, y) ${show(hit.before.vpsi, 4)}, ${show(hit.before.vy * unit, 4)} before and ${show(hit.after.vpsi, 4)}, ${show(hit.after.vy * unit, 4)} after; grazing sine ${show(grazingSine({ ...hit, ...hit.before }, hit.heavy, 1 / q, rho), 3)}`
             : `velocity (\u03c8, y) ${show(state.vpsi, 4)}, ${show(state.vy * unit, 4)}`;
-        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)} rod lengths; ${numbers}.`;
+        this.status.textContent = `${words}. Time ${show(state.t, 5)}, \u03c8 = ${show(state.psi, 5)}, y = ${show(state.y * unit, 5)} ${unitName(this.orbit)}; ${numbers}.`;
     }
 
     scrub() {
@@ -175,10 +176,10 @@ export class Player {
         const { collisions, q, rho } = this.orbit;
         const unit = lengthUnit(this.orbit);
         const rows = collisions.slice(0, mostRows).map((c, i) => [
-            i + 1, c.heavy ? "heavy" : "light", show(c.t), show(c.psi), show(c.y * unit), show(c.before.vpsi), show(c.before.vy * unit), show(c.after.vpsi), show(c.after.vy * unit),
+            i + 1, endsOf(this.orbit)[c.heavy ? 1 : 0], show(c.t), show(c.psi), show(c.y * unit), show(c.before.vpsi), show(c.before.vy * unit), show(c.after.vpsi), show(c.after.vy * unit),
             show(grazingSine({ ...c, ...c.before }, c.heavy, 1 / q, rho), 3),
         ].map(String));
-        const head = ["#", "mass", "time", "\u03c8", "y", "\u03c8\u2032 before", "y\u2032 before", "\u03c8\u2032 after", "y\u2032 after", "grazing sine"];
+        const head = ["#", "end", "time", "\u03c8", "y", "\u03c8\u2032 before", "y\u2032 before", "\u03c8\u2032 after", "y\u2032 after", "grazing sine"];
         const caption = collisions.length > mostRows ? `The first ${mostRows} of ${collisions.length} collisions` : "Collisions";
         this.rows.replaceChildren(table(caption, head, rows, [0, 2, 3, 4, 5, 6, 7, 8, 9]));
     }

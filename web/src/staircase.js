@@ -36,6 +36,8 @@ const scales = {
     },
 };
 
+const hint = matchMedia("(hover: none)").matches ? "Tap the staircase to read it." : "Point at the staircase, or move it with the arrow keys.";
+
 export class Staircase {
     constructor(file, constant) {
         this.file = file;
@@ -62,7 +64,7 @@ export class Staircase {
             draw: (plane) => this.draw(plane),
             probe: (x, y) => this.tell(x),
         });
-        this.readout = output("readout", "Point at the staircase, or move it with the arrow keys.");
+        this.readout = output("readout", hint);
         this.element = h("figure", { class: "wide map" }, this.controls(), this.plane.element, this.readout, this.caption());
     }
 
@@ -106,7 +108,7 @@ export class Staircase {
         if (!(q > 0 && x >= this.home.x0 && x <= this.home.x1)) {
             this.choice.value = "";
             this.whole();
-            this.readout.textContent = q > 0 ? `The file says nothing about q = ${text.trim()}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
+            this.readout.textContent = q > 0 ? `Nothing is claimed about q = ${text.trim()}.` : `\u201c${text}\u201d is not a mass ratio: write a number like 4.6 or 9/2.`;
             return;
         }
         this.whole();
@@ -222,7 +224,7 @@ export class Staircase {
     tell(x) {
         const i = x === null ? -1 : this.x1.findIndex((end, k) => x <= end && x >= this.x0[k]);
         if (i < 0) {
-            this.readout.textContent = x === null ? "Point at the staircase, or move it with the arrow keys." : "The file says nothing here.";
+            this.readout.textContent = x === null ? hint : "Nothing is claimed here.";
             return;
         }
         const { status, lower, upper, lo_text, hi_text } = this.pieces[i];
@@ -247,7 +249,7 @@ export class Staircase {
             keys.push(key("open", "not decided"));
         }
         if (this.isCompared) {
-            keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
+            keys.push(key("paper", "the paper\u2019s bound \u2308\u03c0/\u03b3\u2309 + 1, \u03b3 = 2 atan(1/\u221aq)"), key("growth", `2 + C\u221aq, C = ${show(this.constant, 7)}\u2026`));
         }
         const gaps = this.gaps.length === 0 ? "" : ` ${plural(this.gaps.length, "gap")} between the steps, drawn at least as wide as a line; choose one above to see its true width.`;
         return h("figcaption", {}, h("span", { class: "keys" }, keys), `The staircase.${gaps} Zoom with + and \u2212, move with the arrow keys or by dragging, 0 shows everything.`);

@@ -12,12 +12,16 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 /// Of a pair, as the data have it, the colour on a page as light or as dark as this one is now.
 export const shade = (pair) => pair[matchMedia(document.getElementById("dark").media).matches ? 1 : 0];
 
-/// The colours of the pictures, {name: pair}, as CSS variables.
+/// The colours of the pictures, {name: pair}, as CSS variables; the first ones that come.
 export function useColours(colours) {
+    if (colour("--proved") !== "") {
+        return;
+    }
     ["light", "dark"].forEach((id, i) => {
         const rules = Object.entries(colours).map(([name, pair]) => `--${name}:${pair[i]}`);
         document.getElementById(id).append(`:root{${rules.join(";")}}`);
     });
+    redrawAll();
 }
 
 /// Stripes for what is not decided, as a fill.

@@ -99,7 +99,8 @@ export class Unfolded {
     constructor() {
         this.parts = ["The wedge, unfolded: a straight line crosses copies of it", "The dumbbell\u2019s floor, unfolded along the longest orbit"].map((label) => ({ label, picture: picture(label), told: output("readout tall") }));
         this.height = h("input", { type: "range", min: 20, max: 160, value: 60, class: "scrub", "aria-label": "Distance of the line from the vertex", oninput: () => this.draw() });
-        const [wedges, floors] = this.parts.map(({ label, picture: shown, told }, i) => h("div", {}, h("p", { class: "note" }, h("strong", {}, label)), shown, i === 0 && h("label", { class: "controls" }, "Line nearer", this.height, "farther"), told));
+        this.value = h("span", { class: "value" });
+        const [wedges, floors] = this.parts.map(({ label, picture: shown, told }, i) => h("div", {}, h("p", { class: "note" }, h("strong", {}, label)), shown, i === 0 && h("label", { class: "controls" }, "Line nearer", this.height, "farther", this.value), told));
         this.element = h("figure", { class: "wide unfolded" }, h("div", { class: "halves" }, wedges, floors), h("figcaption", {}, "Instead of the path, mirror the wedge at the wall that is hit: the path goes straight on, into a copy. The walls of the wedge touch the floor at its corners, and are thick as far as the floor beside them goes up. Between the corners is the bridge, which the heavy mass hits; it cuts the vertex off. Computed by this page in double precision."));
         this.show(greatest);
     }
@@ -110,6 +111,7 @@ export class Unfolded {
     }
 
     draw() {
+        this.value.textContent = `at ${Number(this.height.value) / radius} of a corner\u2019s distance`;
         [wedge(this.q, Number(this.height.value)), dumbbell(this.q)].forEach(({ shapes, text }, i) => {
             this.parts[i].picture.replaceChildren(...shapes.filter(Boolean));
             this.parts[i].told.textContent = text;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "collisions/names.hpp"
@@ -55,7 +56,7 @@ std::optional<Count> suspected_maximum(const Rational& q, const System& /*system
     if (q == 1) {
         return 2;
     }
-    N cap = 1L << 60;
+    N cap = std::numeric_limits<long>::max() / 8;
     if constexpr (std::is_same_v<I, BigInterval>) {
         cap += Count(numerator(q) / denominator(q));  // more than C sqrt q
     }

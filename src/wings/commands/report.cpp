@@ -61,7 +61,7 @@ int run_report(const Given& given) {
     std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        files.push_back(page::read_reported(paths[i], verifier.has_value()));
+        files.push_back(page::read_reported(paths[i], file_contents(paths[i]), verifier.has_value()));
         files.back().path = names[i];
         boxes += page::leaves_of(files.back().content);
     }

@@ -20,8 +20,10 @@
 namespace dumbbell::page {
 namespace {
 
-/// Where the data and the verifier go: once in the template, in this order.
-constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DUMBBELL_VERIFIER@";
+/// Where the data, the verifier and, in the page of ./run web, the prover go: once in the template, in this
+/// order.
+constexpr std::string_view data_place = "@DUMBBELL_DATA@", verifier_place = "@DUMBBELL_VERIFIER@",
+                           prover_place = "@DUMBBELL_PROVER@";
 
 constexpr int constant_digits = 20;
 constexpr int constant_bits = 128;
@@ -65,19 +67,11 @@ Json one_file(const ReportedFile& file, const BoxBudget& budget) {
             json.add("generator", of.generator.program + " " + of.generator.version);
             json.add("sha256", file.sha256);
             json.add("verify_options", claim_options(of));
-            json.add("verify_file", shell_file(file.path));
+            json.add("verify_file", shell_file(std::filesystem::path(file.path).filename()));
             json.add("bytes", base64(file.bytes));
             return json;
         },
         file.content);
-}
-
-/// Whether one of the files is about bodies.
-bool has_bodies(const std::vector<ReportedFile>& files) {
-    return std::ranges::any_of(files, [](const ReportedFile& file) {
-        const auto* certificate = std::get_if<collisions::Certificate>(&file.content);
-        return certificate != nullptr && certificate->system.rho;
-    });
 }
 
 Reported shown(AnyCertificate any, const std::string& path) {
@@ -102,8 +96,7 @@ void require_few_pieces(const std::vector<std::string>& paths) {
     require_few(pieces);
 }
 
-ReportedFile read_reported(const std::string& path, bool with_bytes) {
-    std::string bytes = file_contents(path);
+ReportedFile read_reported(const std::string& path, std::string bytes, bool with_bytes) {
     const NamedFile file(path, bytes);
     std::string sha256 = sealed_digest(file);
     Reported content = shown(read_any_certificate(file), path);
@@ -141,7 +134,6 @@ Json page_data(const std::vector<ReportedFile>& files, std::size_t most_boxes) {
                          {"growth_constant", growth_digits()},
                          {"colours", colours_json()},
                          {"boxes", Json::object({{"total", budget.total}, {"most", budget.most}})},
-                         {"bodies", has_bodies(files)},
                          {"files", shown}});
 }
 
@@ -156,6 +148,7 @@ std::string html_page(const Json& data, std::string_view verifier) {
     };
     put(data_place, respelled(data.text(), {{'<', "\\u003c"}}));
     put(verifier_place, base64(verifier));
+    put(prover_place, "");
     require(rest.find("@DUMBBELL_") == std::string_view::npos,
             "report: the page has one more place for data");
     return text.append(rest);

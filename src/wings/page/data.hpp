@@ -24,9 +24,9 @@ struct ReportedFile {
     std::string bytes{};  ///< the file as it is, if the page is to verify it
 };
 
-/// Reads a certificate of one of these kinds once, whose checksum must be right; its bytes if they are
-/// wanted. Throws InputError (naming the file) for anything else.
-[[nodiscard]] ReportedFile read_reported(const std::string& path, bool with_bytes);
+/// Reads a certificate of one of these kinds, whose checksum must be right, from the bytes of its file; and
+/// keeps them if they are wanted. Throws InputError (naming the file) for anything else.
+[[nodiscard]] ReportedFile read_reported(const std::string& path, std::string bytes, bool with_bytes);
 
 /// Pieces of all files together; a page with more would not open.
 inline constexpr std::size_t most_pieces = 100'000;
@@ -40,7 +40,7 @@ void require_few_pieces(const std::vector<std::string>& paths);
 
 [[nodiscard]] std::size_t leaves_of(const Reported& content);
 
-/// The built page (web/dist/report.html) without data: one HTML file that asks for nothing else.
+/// The built page (web/dist/dumbbell.html) without data: one HTML file that asks for nothing else.
 [[nodiscard]] std::string_view page_template();
 
 /// The page with the data in it, and the bytes of the verifier that it is to run, if there are any. No data

@@ -107,7 +107,8 @@ onPage("pointing at a box tells its range, its reason and the verifier's command
     const told = await page.locator("#file-1 .map .readout").first().textContent();
     assert.match(told, /count \d+: at most \d+ later collisions/);
     const command = /dumbbell (verify --explain \S+ \S+)/.exec(told)[1].split(" ");
-    const explained = dumbbell(...command);
+    assert.equal(command.pop(), "full-100.dbc.gz"); // without a folder
+    const explained = dumbbell(...command, files.full);
     const range = /e ([\d.]+) to ([\d.]+), eta ([\d.]+) to ([\d.]+)/.exec(told).slice(1).map(Number);
     assert.ok(range[0] <= 0.9 && 0.9 <= range[1] && range[2] <= 0.2 && 0.2 <= range[3], told);
     assert.ok(explained.includes(`within [${range[0]}`), explained.slice(0, 400));

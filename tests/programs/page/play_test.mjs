@@ -138,7 +138,7 @@ onPage("where motion is to be reduced, play goes from collision to collision", f
 
 onPage("each witness of a staircase can be chosen", files.stairs, async (page) => {
     const { status } = player(page);
-    const witness = page.getByLabel("Witness", { exact: true });
+    const witness = page.getByLabel("Orbit", { exact: true });
     const n = await witness.locator("option").count();
     assert.equal(n, 17);
     for (let i = 0; i < n; ++i) {

@@ -126,7 +126,7 @@ onPage("a typed ratio is gone to", files.stairs, async (page) => {
     };
     assert.match(await go("abc"), /\u201cabc\u201d is not a mass ratio: write a number/);
     assert.equal(await choice.inputValue(), "");
-    assert.match(await go("1000"), /The file says nothing about q = 1000/);
+    assert.match(await go("1000"), /Nothing is claimed about q = 1000/);
     assert.match(await go("1/50"), /N\(q\) = 8/); // the masses swapped
 });
 

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
-import { moduleFrom, verify } from "../../../web/src/verifier/module.js";
+import { call, lines, moduleFrom } from "../../../web/src/modules/module.js";
 
 const root = fileURLToPath(new URL("../../..", import.meta.url));
 const module = await moduleFrom(readFileSync(process.env.DUMBBELL_WEB_VERIFIER).toString("base64"));
@@ -35,7 +35,8 @@ function reader(bytes, most = Infinity) {
         return some;
     };
 }
-const here = (options, bytes, most) => verify(module, options, reader(bytes, most), () => {});
+const verify = async (options, read, progress = () => {}) => JSON.parse(await call(module, "verify", lines(options), progress, read));
+const here = (options, bytes, most) => verify(options, reader(bytes, most));
 
 async function agree(file, options) {
     const said = await here(options, readFileSync(file));
@@ -76,7 +77,7 @@ test("what states no claim is said, and nothing verified", async () => {
 
 test("how far it is, is told", async () => {
     const told = [];
-    await verify(module, [], reader(readFileSync(join(root, "certificates", "stairs-1-1e4.dbc.gz"))), (...at) => told.push(at));
+    await verify([], reader(readFileSync(join(root, "certificates", "stairs-1-1e4.dbc.gz"))), (...at) => told.push(at));
     assert.ok(told.length > 100 && told.every(([seconds, read, pieces], i) => pieces === 177 && read <= 177 && (i === 0 || seconds >= told[i - 1][0])));
 });
 
@@ -84,5 +85,5 @@ test("a failing source is no end of the file", async () => {
     const broken = () => {
         throw new Error("gone");
     };
-    await assert.rejects(verify(module, [], broken, () => {}), /gone/);
+    await assert.rejects(verify([], broken), /gone/);
 });

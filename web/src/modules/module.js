@@ -1,19 +1,22 @@
-// The verifier: dumbbell-verify as a WebAssembly module, and the few things of a system that it asks for. The same in a page's worker and
-// under node.
+// Verifier and prover: WebAssembly modules, and the few things of a system that they ask for. The same in a page's worker and under node.
 
-/// base64 of the module, packed by gzip, as it stands in a page.
+/// base64 of a module, packed by gzip, as it stands in a page.
 export async function moduleFrom(text) {
     const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return WebAssembly.compile(await new Response(stream).arrayBuffer());
 }
 
-const noFile = 8; // WASI's "bad file descriptor"
+/// Words as a module takes them.
+export const lines = (words) => new TextEncoder().encode(words.map((word) => `${word}\n`).join(""));
 
-/// Verifies one file, in an instance of its own. `read(size)` gives the file's next bytes, none at its end; `words` are options of
-/// dumbbell-verify that state a claim or say what it may cost; `progress(seconds, read, pieces)` hears how far it is.
-/// Gives {line, sentence, result}, or {usage}: what is wrong with the words. Throws if memory or the stack is used up.
-export async function verify(module, words, read, progress) {
+const noFile = 8; // WASI's "bad file descriptor"
+const none = new Uint8Array();
+
+/// Calls `verify`, `certify` or `show` in an instance of its own, with the bytes that it takes (web/modules), and gives its answer, JSON.
+/// `read(size)` gives the next bytes of the file that is verified, none at its end; `progress` hears how far it is: of `verify`
+/// (seconds, read, pieces), of `certify` (done, total). Throws if memory or the stack is used up.
+export async function call(module, name, input, progress, read = () => none) {
     const time = () => BigInt(Math.round(performance.now() * 1e6));
     const view = () => new DataView(memory.buffer);
     const wasi = {
@@ -34,17 +37,16 @@ export async function verify(module, words, read, progress) {
             return 0;
         },
     };
-    const refuse = { get: (known, name) => known[name] ?? (() => noFile) };
+    const refuse = { get: (known, word) => known[word] ?? (() => noFile) };
     const { exports } = await WebAssembly.instantiate(module, {
         page: { progress },
         wasi_snapshot_preview1: new Proxy(wasi, refuse),
     });
     const { memory } = exports;
     exports._initialize();
-    const options = new TextEncoder().encode(words.map((word) => `${word}\n`).join(""));
-    const room = exports.options(options.length); // memory may have grown: its views come behind
-    new Uint8Array(memory.buffer).set(options, room);
-    const begin = exports.verify();
+    const room = exports.room_for(input.length); // memory may have grown: its views come behind
+    new Uint8Array(memory.buffer).set(input, room);
+    const begin = exports[name]();
     const bytes = new Uint8Array(memory.buffer);
-    return JSON.parse(new TextDecoder().decode(bytes.subarray(begin, bytes.indexOf(0, begin))));
+    return new TextDecoder().decode(bytes.subarray(begin, bytes.indexOf(0, begin)));
 }

@@ -1,10 +1,6 @@
 // dumbbell-verify as a WebAssembly module: what the page, and the tests under node, call. The file that it
 // reads is the standard input, the function fd_read of module.js.
-#include <gmp.h>
-
-#include <cerrno>
-#include <cstdlib>
-
+#include "system.hpp"
 #include "verify/machine/environment.hpp"
 #include "verify/machine/meter.hpp"
 #include "verify/program/claim_options.hpp"
@@ -55,55 +51,14 @@ std::string answer_to(std::vector<std::string> words) try {
     return R"({"usage":)" + json_string(error.what()) + "}";
 }
 
-std::string room, answer;
-
-/// GMP and MPFR cannot be told that there is no memory. The page hears of every trap.
-void* allocated(void* block) {
-    if (!block) __builtin_trap();
-    return block;
-}
-
 }  // namespace
 }  // namespace dumbbell_verify
 
 extern "C" {
-
-// What the library of C asks of a system. There is none; there are no files but the standard input, and
-// nothing asks more of that. A signal is one that GMP raises, and never comes back from.
-void emscripten_notify_memory_growth(std::size_t) {}
-__attribute__((target("bulk-memory"))) void* memcpy(void* to, const void* from, std::size_t size) {
-    return __builtin_memcpy(to, from, size);  // one instruction
-}
-void __call_sighandler(void (*)(int), int) { __builtin_trap(); }
-int __syscall_dup(int) { return -ENOSYS; }
-int __syscall_poll(int, int, int) { return -ENOSYS; }
-int __syscall_fstat64(int, int) { return -ENOSYS; }
-int __syscall_stat64(int, int) { return -ENOSYS; }
-int __syscall_lstat64(int, int) { return -ENOSYS; }
-int __syscall_fstatat64(int, int, int, int) { return -ENOSYS; }
-
-/// Room for this many bytes of options, with a line feed behind each.
-__attribute__((export_name("options"))) char* options(std::size_t size) {
-    dumbbell_verify::room.resize(size);
-    return dumbbell_verify::room.data();
-}
-
-/// Verifies the file, once; the answer is JSON, with a zero byte behind it.
+/// Verifies the file, once; the room has the options.
 __attribute__((export_name("verify"))) const char* verify() {
-    using namespace dumbbell_verify;
-    const DefaultEnvironment environment;
-    mp_set_memory_functions(
-        [](std::size_t size) { return allocated(std::malloc(size)); },
-        [](void* old, std::size_t, std::size_t size) { return allocated(std::realloc(old, size)); },
-        [](void* block, std::size_t) { std::free(block); });
-    Shares::watch = progress;
-    std::vector<std::string> words;
-    for (std::string_view rest = room; !rest.empty();) {
-        const std::size_t size = std::min(rest.find('\n'), rest.size() - 1);
-        words.emplace_back(rest.substr(0, size));
-        rest.remove_prefix(size + 1);
-    }
-    answer = answer_to(std::move(words));
-    return answer.c_str();
+    const dumbbell_verify::DefaultEnvironment environment;
+    dumbbell_verify::Shares::watch = dumbbell_verify::progress;
+    return answered([] { return dumbbell_verify::answer_to(words_given()); });
 }
 }
