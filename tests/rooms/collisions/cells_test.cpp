@@ -84,6 +84,6 @@ TEST_CASE(
     CHECK((found.share >= 0.8 && found.share < 0.95));
     CHECK(cells(3, never).certificate.sha256 == found.certificate.sha256);
     std::atomic<int> asked = 0;
-    const Cells less = cells(1, [&] { return ++asked > 3; });
+    const Cells less = cells(1, [&] { return ++asked > 4'000; });
     CHECK((less.share > 0 && less.share < 0.8 && less.cells > 0));
 }
