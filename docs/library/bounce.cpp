@@ -1,8 +1,7 @@
-// Encloses one bounce of the light mass, then certifies one mass ratio and has the independent verifier check
-// it.
-#include <dumbbell/bounce.hpp>
+// Encloses the bounces of one start, then certifies one mass ratio and has the independent verifier check it.
 #include <dumbbell/certify.hpp>
 #include <dumbbell/error.hpp>
+#include <dumbbell/trace.hpp>
 #include <dumbbell/verify.hpp>
 #include <iostream>
 
@@ -11,11 +10,8 @@ namespace db = dumbbell::api;
 int main() try {
     const db::MassRatio q("10");
     std::cout.precision(17);
-    // Every flight that leaves a light wall 0.1 to 0.1001 from the corner with slope 0.05.
-    const db::Bounce bounce = db::enclose_bounce(q, db::ray_from_light_wall({0.1, 0.1001}, {0.05, 0.05}));
-    if (bounce.outcome == db::Outcome::flies_on) {
-        std::cout << "hits the other wall at [" << bounce.x.lo << ", " << bounce.x.hi
-                  << "], flies on with slope [" << bounce.ray.kappa.lo << ", " << bounce.ray.kappa.hi
+    for (const db::Collision& c : db::trace(q, {"-1.4", "1", "1", "-0.8"}).collisions) {
+        std::cout << (c.heavy ? "heavy" : "light") << " mass at time [" << c.time.lo << ", " << c.time.hi
                   << "]\n";
     }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "dumbbell/interval.hpp"
+#include "dumbbell/abi.hpp"
 
 namespace dumbbell::api {
 inline namespace DUMBBELL_ABI {
@@ -20,13 +20,9 @@ class MassRatio {
     [[nodiscard]] const std::string& lo() const noexcept { return lo_; }
     [[nodiscard]] const std::string& hi() const noexcept { return hi_; }
 
-    /// Contains r = light mass / heavy mass = 1/q for every q of the range.
-    [[nodiscard]] const Interval& light_over_heavy() const noexcept { return light_over_heavy_; }
-
   private:
     std::string lo_;
     std::string hi_;
-    Interval light_over_heavy_;
 };
 
 }  // namespace DUMBBELL_ABI

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "dumbbell/bounce.hpp"
 #include "dumbbell/certify.hpp"
 #include "dumbbell/error.hpp"
 #include "dumbbell/trace.hpp"
@@ -32,10 +31,6 @@ std::string all_results() {
             text.append(reinterpret_cast<const char*>(&end), sizeof end);
         }
     };
-    add(MassRatio("3").light_over_heavy());
-    const Bounce bounce = enclose_bounce(MassRatio("100"), ray_from_light_wall({0.1, 0.1001}, {0.02, 0.02}));
-    add(bounce.x);
-    add(bounce.ray.kappa);
     for (const char* ratio : {"10", "4:5", "4.603338848751701"}) {
         text += certify(MassRatio(ratio), {.jobs = 2}).certificate;
     }
