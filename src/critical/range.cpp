@@ -1,32 +1,12 @@
 #include "critical/range.hpp"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "base/deadline.hpp"
-#include "flight/macro/when.hpp"
 #include "number/parallel.hpp"
 #include "number/self_test.hpp"
 
 namespace dumbbell::critical {
-namespace {
-
-/// Flights that take as long as the request: n/2 for each orbit that is followed, and for a long one about as
-/// many as for the first, times its digits beyond them.
-double flights(const Request& request) {
-    const auto number = [](long first, long last) {
-        return static_cast<double>(std::max(0L, last - first + 1));
-    };
-    const long followed = std::min(request.last, flight::macro::first_long - 1);
-    const long jumped = std::max(request.first, flight::macro::first_long);
-    const double longer = static_cast<double>(request.last) / flight::macro::first_long;
-    return number(request.first, followed) * static_cast<double>(request.first + followed) / 4 +
-           number(jumped, request.last) * flight::macro::first_long / 2 *
-               (1 + std::log10(std::max(1.0, longer)));
-}
-
-}  // namespace
 
 std::vector<Row> enclose_ratios(const Request& request) {
     require_sound_arithmetic();
@@ -54,12 +34,6 @@ std::vector<Row> enclose_ratios(const Request& request) {
         });
     });
     return rows;
-}
-
-double share_of_first(std::size_t ratios, const Request& request) {
-    Request first = request;
-    first.last = request.first + static_cast<long>(ratios) - 1;
-    return flights(first) / flights(request);
 }
 
 }  // namespace dumbbell::critical

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -27,8 +26,5 @@ struct Request {
 /// lightest on, and one more without a ratio if not all were enclosed. Throws BrokenInvariant if the
 /// arithmetic of a thread is not sound.
 [[nodiscard]] std::vector<Row> enclose_ratios(const Request& request);
-
-/// The share of the time which the first so many ratios take, from 0 to 1: orbits get longer.
-[[nodiscard]] double share_of_first(std::size_t ratios, const Request& request);
 
 }  // namespace dumbbell::critical

@@ -59,7 +59,6 @@ constexpr std::array critical_options{
 std::vector<critical::Row> enclose(critical::Request request, Verbosity verbosity) {
     const bool one = request.first == request.last;
     Progress progress(one ? "flights" : "critical ratios", verbosity, "enclosing");
-    progress.weigh([&](std::size_t done) { return share_of_first(done, request); });
     request.observer = &progress;
     return enclose_ratios(request);
 }

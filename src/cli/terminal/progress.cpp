@@ -131,7 +131,7 @@ std::string Progress::line(std::size_t room) const {
     if (total_ == 0) {
         return fmt::format("{}{} {} in {}, {}", phase, done_, unit_, time_text(elapsed()), rate);
     }
-    const double share = share_ ? share_(done_) : static_cast<double>(done_) / static_cast<double>(total_);
+    const double share = static_cast<double>(done_) / static_cast<double>(total_);
     const double left = elapsed() * (1 - share) / share;
     const std::string text =
         fmt::format("{}/{} {}, about {} left, {}{}", done_, total_, unit_, time_text(left), rate,

@@ -3,13 +3,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
-#include <utility>
 
 #include "base/observer.hpp"
 
@@ -28,9 +26,6 @@ class Progress : public Observer {
     ~Progress() override;
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-
-    /// Where parts do not take equally long: the share of the time that the first so many take.
-    void weigh(std::function<double(std::size_t)> share) { share_ = std::move(share); }
 
     /// Another phase begins, unless the work is in it. Thread-safe.
     void enter(std::string_view phase, std::string_view unit) override;
@@ -59,7 +54,6 @@ class Progress : public Observer {
 
     std::string_view unit_;
     std::string_view phase_;
-    std::function<double(std::size_t)> share_;
     std::mutex mutex_;
     const bool shows_;
     const Clock::time_point start_ = Clock::now();

@@ -73,10 +73,3 @@ TEST_CASE("What is not done within the budget stays open") {
         CHECK_FALSE(row.ratio);
     }
 }
-
-TEST_CASE("The first half of a range takes a quarter of the time, as orbits get longer") {
-    CHECK(share_of_first(9'999, request(3, 20'000)) == Approx(0.25).margin(0.001));
-    CHECK(share_of_first(1, request(3, 4)) == Approx(3.0 / 7));
-    CHECK(share_of_first(18, request(3, 20)) == 1);
-    CHECK(share_of_first(5, request(1'000'000, 1'000'009)) == Approx(0.5).margin(0.01));  // by macro steps
-}
