@@ -3,7 +3,7 @@
 /// h("p", {class: "note"}, "text", child, ...): attributes by name, functions as listeners (onclick, ...).
 export const h = (tag, ...rest) => filled(document.createElement(tag), ...rest);
 
-export const svg = Object.assign(document.createElement("template"), { innerHTML: "<svg></svg>" }).content.firstChild.namespaceURI; // the page has no address in it
+const svg = Object.assign(document.createElement("template"), { innerHTML: "<svg></svg>" }).content.firstChild.namespaceURI; // the page has no address in it
 
 /// The same for an element of a picture.
 export const s = (tag, ...rest) => filled(document.createElementNS(svg, tag), ...rest);

@@ -1,7 +1,6 @@
 // A canvas with two axes that can be zoomed and moved: by wheel (when it has the focus, or with Ctrl), by dragging, by two
 // fingers, by buttons, by keys. What is drawn on it, and the marks of its axes, are its owner's.
-import { h, svg } from "./dom.js";
-import { SvgPage } from "./svg_page.js";
+import { h } from "./dom.js";
 import { colour, onTheme } from "./theme.js";
 import { linearTicks } from "./ticks.js";
 import { moveByKeys, moveByPointer } from "./gestures.js";
@@ -36,7 +35,7 @@ export class Plane {
             button("+", "Zoom in", () => this.zoom(0.5)),
             button("\u2212", "Zoom out", () => this.zoom(2)),
             button("Reset", "Show everything", () => this.reset()),
-            button("Save", "Save this picture as an SVG file", () => this.save()),
+            button("Save", "Save this picture as a PNG file", () => this.save()),
         );
     }
 
@@ -99,7 +98,8 @@ export class Plane {
             [this.canvas.width, this.canvas.height] = pixels;
         }
         this.context.setTransform(scale, 0, 0, scale, 0, 0);
-        this.context.clearRect(0, 0, width, height);
+        this.context.fillStyle = colour("--paper-white"); // a picture that is saved has it, too
+        this.context.fillRect(0, 0, width, height);
         this.frame = { x: margin.left, y: margin.top, width: width - margin.left - margin.right, height: height - margin.top - margin.bottom };
     }
 
@@ -131,15 +131,7 @@ export class Plane {
 
     /// As it stands, as a file of the reader's.
     save() {
-        const canvas = this.context;
-        this.context = new SvgPage(this.canvas.clientWidth, this.canvas.clientHeight, canvas);
-        this.draw();
-        const text = this.context.finished(this.options.title, svg);
-        this.context = canvas;
-        this.draw();
-        const url = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
-        h("a", { href: url, download: `${this.options.title.replace(/[^A-Za-z0-9.]+/g, "-")}.svg` }).click();
-        setTimeout(() => URL.revokeObjectURL(url), 1000);
+        h("a", { href: this.canvas.toDataURL(), download: `${this.options.title.replace(/[^A-Za-z0-9.]+/g, "-")}.png` }).click();
     }
 
     /// The last drawing where it would be in the present window.

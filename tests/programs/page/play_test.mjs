@@ -324,12 +324,6 @@ onPage("a start has a link, and a picture can be saved", files.ten, async (page,
     assert.equal(await map.locator("#own input[name=phi]").inputValue(), "pi/6");
     await map.close();
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#file-1 .player").getByRole("button", { name: "Save" }).click()]);
-    assert.match(download.suggestedFilename(), /^The-point-psi-y.*\.svg$/);
-    const svg = await readFile(await download.path(), "utf8");
-    assert.match(svg, /^<svg xmlns=/);
-    assert.ok(!/NaN|undefined/.test(svg));
-    const picture = await browser.newPage();
-    await picture.setContent(svg);
-    assert.ok(await picture.evaluate(() => document.querySelectorAll("svg path").length > 10));
-    await picture.close();
+    assert.match(download.suggestedFilename(), /^The-point-psi-y.*\.png$/);
+    assert.equal((await readFile(await download.path())).toString("latin1", 1, 4), "PNG");
 });
