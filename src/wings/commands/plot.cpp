@@ -81,16 +81,13 @@ int run_plot(const Given& given) {
     return exit_done;
 }
 
-constexpr std::array staircase_picture_options =
-    from_file("certificate over a range of mass ratios (-: the standard input)");
+constexpr std::array staircase_picture_options = from_file("certificate over a range of mass ratios");
 constexpr std::array orbit_picture_options =
-    joined(from_file("mass ratio, or certificate (-: the standard input)"),
+    joined(from_file("mass ratio, or certificate"),
            std::array{Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}});
-constexpr std::array phase_picture_options =
-    from_file("certificate about initial conditions (-: the standard input)");
+constexpr std::array phase_picture_options = from_file("certificate about initial conditions");
 
-constexpr std::array body_picture_options =
-    from_file("certificate about a rectangle of bodies (-: the standard input)");
+constexpr std::array body_picture_options = from_file("certificate about a rectangle of bodies");
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
                           int (*run)(const Given&)) {

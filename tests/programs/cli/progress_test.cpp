@@ -125,12 +125,10 @@ TEST_CASE("that a file is read is a phase of its own, in every command that read
     const std::string pipe = folder / "pipe", out = folder / "out";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);  // so that nobody's reading ends by itself
-    for (const Words& words : std::vector<Words>{{"audit", "-"},
-                                                 {"plot", "staircase", "-", "--out", out + ".svg"},
-                                                 {"report", "-", "--out", out + ".html"}}) {
-        Words job = with_program(words);
-        job.insert(job.end(), {"<", pipe});
-        const std::string text = seen_on_terminal(job, "reading");
+    for (const Words& words : std::vector<Words>{{"audit", pipe},
+                                                 {"plot", "staircase", pipe, "--out", out + ".svg"},
+                                                 {"report", pipe, "--out", out + ".html"}}) {
+        const std::string text = seen_on_terminal(with_program(words), "reading");
         CAPTURE(words, text);
         CHECK(std::regex_search(text, std::regex(R"(reading, \d+ (s|min|h))")));
     }
