@@ -23,7 +23,8 @@ export class Player {
         this.position = h("input", { type: "range", min: 0, step: 0.001, class: "scrub", "aria-label": "Position in the orbit", oninput: () => this.scrub() });
         this.playButton = this.button("Play", () => this.toggle());
         this.rows = h("div", {});
-        this.details = h("details", { ontoggle: () => this.fillRows() }, h("summary", {}, "Every collision in numbers (doubles; heights in rod lengths)"), this.rows);
+        this.summary = h("summary", {});
+        this.details = h("details", { ontoggle: () => this.fillRows() }, this.summary, this.rows);
         this.element = h(
             "div",
             { class: "player", onkeydown: (event) => this.key(event) },
