@@ -231,7 +231,7 @@ std::string pieces_table(const ProofReport& report) {
                         i == 0 ? "paper" : paper_text(report, *report.rows[i - 1].piece));
     }
     const bool by_lemma =
-        std::ranges::any_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
+        !std::ranges::none_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
     return aligned(lines, 0) +
            fmt::format(
                "{}N: the greatest number of collisions;{} boxes: the parts that together hold all "

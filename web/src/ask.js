@@ -103,7 +103,7 @@ export class Ask {
         } else if (proof?.why) {
             this.say(`Not decided here: ${proof.why}. This command decides it, or says why not:`, command(proof.command));
         } else if (proof) {
-            await this.read(new File([proof.certificate], `${words.join("-").replace(/[^\w.-]+/g, "-")}.dbc`), proof.claim, thing);
+            await this.read(new File([proof.certificate], `${words.join("-").replace("ratio", "q").replace(/[^\w.-]+/g, "-")}.dbc`), proof.claim, thing);
         }
     }
 

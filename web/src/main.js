@@ -55,7 +55,7 @@ watchTheme();
 const ask = prover.isHere && new Ask(show);
 document.getElementById("page").replaceChildren(
     header(data),
-    ask && ask.element,
+    ...(ask ? [ask.element] : []),
     shown,
     own.element,
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is proved, the verifier says. `, verifier.isHere ? `A verdict rests on its source, that of dumbbell-verify, on clang and emscripten, and on this browser. ${licences}` : ""),

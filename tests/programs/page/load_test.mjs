@@ -31,6 +31,7 @@ for (const [name, file] of Object.entries({ ...files, long })) {
         const text = await page.textContent("main");
         assert.match(text, /dumbbell verify --/);
         assert.match(text, /It has not been verified here/);
+        assert.doesNotMatch(text, /false|undefined|NaN/);
         assert.match(text, /[0-9a-f]{64}/);
         assert.ok(text.includes(file.split("/").at(-1)));
     });

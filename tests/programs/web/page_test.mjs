@@ -91,7 +91,7 @@ onPage("what the page does not decide, or does not understand, it says, with the
 });
 
 onPage("files of every kind are verified and shown; one of the law is verified", async (tab) => {
-    for (const name of ["stairs-1-1e4.dbc.gz", "coin.dbc", "full-1000.dbc.gz", "wedge-1-100.dbc"]) {
+    for (const name of ["stairs-1-1e4.dbc.gz", "coin.dbc", "full-1000.dbc.gz"]) {
         await take(tab, shipped(name), "Verified here");
         assert.equal(await tab.locator("#file-1 canvas").count() > 0, true, name);
     }

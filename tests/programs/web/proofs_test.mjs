@@ -10,10 +10,10 @@ const module = await moduleFrom(readFileSync(process.env.DUMBBELL_WEB_PROVER).to
 const place = scratch();
 const asked = async (...words) => JSON.parse(await call(module, "certify", lines(words), () => {}));
 
-const ratios = ["1", "1/7", "4.61", "4.603339", "10", "27", "99/10", "1e2", "123456.789", "1e6", "31415926.5", "999999937", "1e9",
+const ratios = ["1", "1/7", "4.61", "4.603338848751700352556582029103016513067", "10", "27", "99/10", "1e2", "123456.789", "1e6", "31415926.5", "999999937", "1e9",
     "1:2", "1:10", "4.6:4.7", "50:60", "1:100", "900:1000", "1:1000"].map((ratio) => [["ratio", ratio], [ratio]]);
 const rods = [["10", "1/100"], ["10", "1"], ["3", "1/2"], ["100", "1/1000"], ["1", "2"]].map(([ratio, mass]) => [["rod", ratio, mass], [ratio, "--rod-mass", mass]]);
-const bodies = [["1", "4"], ["1", "3"], ["1", "2"], ["1/2", "9"], ["1/2", "1:5"], ["1/10", "40"]].map(([rho, inertia]) => [["body", rho, inertia], ["--rho", rho, "--inertia", inertia]]);
+const bodies = [["1", "4"], ["1", "3"], ["1", "2"], ["1/2", "9"], ["1/3", "3:30"], ["1/10", "40"]].map(([rho, inertia]) => [["body", rho, inertia], ["--rho", rho, "--inertia", inertia]]);
 
 for (const [words, options] of [...ratios, ...rods, ...bodies]) {
     test(`${words.join(" ")}: the program's certificate, its command and its claim`, async () => {

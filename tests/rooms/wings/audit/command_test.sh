@@ -42,7 +42,7 @@ expect 0 'good.dbc: tiles exactly: 2 pieces, 4 charts, 6 leaves, 2 candidate pai
 expect 0 'good.dbc.gz: tiles exactly' "$folder/good.dbc" "$folder/good.dbc.gz"
 expect 0 '"candidate_pairs": 2,' --json "$folder/good.dbc"
 expect 0 '"schema": "dumbbell-audit-1"' --json "$folder/good.dbc"
-expect 0 'equal-masses|Prove exactly' --help
+expect 0 'Check by exact geometry' --help
 
 # Pieces that leave a part of the claimed range out.
 { head_lines 10/1 21/1 1; piece 10/1 20/1; } | sealed > "$folder/short.dbc"
