@@ -98,8 +98,7 @@ export class Plane {
             [this.canvas.width, this.canvas.height] = pixels;
         }
         this.context.setTransform(scale, 0, 0, scale, 0, 0);
-        this.context.fillStyle = colour("--paper-white"); // a picture that is saved has it, too
-        this.context.fillRect(0, 0, width, height);
+        this.context.clearRect(0, 0, width, height);
         this.frame = { x: margin.left, y: margin.top, width: width - margin.left - margin.right, height: height - margin.top - margin.bottom };
     }
 
@@ -131,7 +130,13 @@ export class Plane {
 
     /// As it stands, as a file of the reader's.
     save() {
-        h("a", { href: this.canvas.toDataURL(), download: `${this.options.title.replace(/[^A-Za-z0-9.]+/g, "-")}.png` }).click();
+        const { context: c, canvas } = this;
+        c.globalCompositeOperation = "destination-over";
+        c.fillStyle = colour("--paper-white");
+        c.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+        h("a", { href: canvas.toDataURL(), download: `${this.options.title.replace(/[^A-Za-z0-9.]+/g, "-")}.png` }).click();
+        c.globalCompositeOperation = "source-over";
+        this.draw();
     }
 
     /// The last drawing where it would be in the present window.

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -118,21 +117,6 @@ TEST_CASE("a line appears by time, also while the first box, or the first piece 
         CAPTURE(ratio, text);
         CHECK(std::regex_search(text, std::regex(shown)));  // long before the budget is used up
     }
-}
-
-TEST_CASE("that a file is read is a phase of its own, in every command that reads one", "[wings]") {
-    const TemporaryFolder folder;
-    const std::string pipe = folder / "pipe", out = folder / "out";
-    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-    const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);  // so that nobody's reading ends by itself
-    for (const Words& words : std::vector<Words>{{"audit", pipe},
-                                                 {"plot", "staircase", pipe, "--out", out + ".svg"},
-                                                 {"report", pipe, "--out", out + ".html"}}) {
-        const std::string text = seen_on_terminal(with_program(words), "reading");
-        CAPTURE(words, text);
-        CHECK(std::regex_search(text, std::regex(R"(reading, \d+ (s|min|h))")));
-    }
-    ::close(writer);
 }
 
 TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
