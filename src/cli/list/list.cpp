@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <optional>
@@ -30,7 +31,7 @@ constexpr const char* heading =
 
 struct Line {
     long number;
-    std::string given;    ///< without a comment
+    std::string given;    ///< its first column; if that is not clear, all of it
     std::string fault{};  ///< empty: none
 };
 
@@ -39,13 +40,67 @@ struct Answered {
     ListAnswer answer;
 };
 
-/// Without a comment.
-std::string content_of(std::string_view line) {
-    line = line.substr(0, line.find('#'));
-    const std::size_t begin = line.find_first_not_of(" \t");
-    return begin == std::string_view::npos
-               ? ""
-               : std::string(line.substr(begin, line.find_last_not_of(" \t") + 1 - begin));
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const std::size_t begin = text.find_first_not_of(blanks);
+    return begin == std::string_view::npos ? ""
+                                           : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+/// A line of CSV as RFC 4180 has it: in quotes nothing separates, and no comment begins.
+struct Columns {
+    explicit Columns(std::string_view line);
+
+    std::string_view all;          ///< but for a comment
+    std::string_view first;        ///< with its quotes
+    std::string separators;        ///< in their order
+    bool has_open_quotes = false;  ///< they would go on in the next line
+};
+
+Columns::Columns(std::string_view line) : first(line) {
+    bool is_begin = true;  // of a column
+    std::size_t i = 0;
+    for (; i < line.size() && (has_open_quotes || line[i] != '#'); ++i) {
+        const bool separates = !has_open_quotes && std::string_view(",;\t").find(line[i]) < 3;
+        if (separates) {
+            first = separators.empty() ? line.substr(0, i) : first;
+            separators += line[i];
+        }
+        // Two quotes in quotes are one of the text: they end, and begin again.
+        if (line[i] == '"' && (has_open_quotes || is_begin || line[i - 1] == '"')) {
+            has_open_quotes = !has_open_quotes;
+        }
+        is_begin = separates || (is_begin && line[i] == ' ');
+    }
+    all = trimmed(line.substr(0, i), " ");
+    first = trimmed(first.substr(0, i), " ");
+}
+
+/// Without the quotes around it. Of quotes elsewhere no number is made.
+std::string unquoted(std::string_view column) {
+    const bool is_quoted = column.size() > 1 && column[0] == '"' && column.find('"', 1) == column.size() - 1;
+    return std::string(is_quoted ? trimmed(column.substr(1, column.size() - 2), " ") : column);
+}
+
+/// Why the first column of a line is not clear; empty: it is. What other countries and spreadsheets write,
+/// 4,6 or 1,000, is no column 4 or 1: between digits a comma separates only where the heading has as many.
+std::string unclear(const Columns& columns, const std::string& of_heading) {
+    if (columns.has_open_quotes) {
+        return "a column in quotes does not end in its line";
+    }
+    if (!columns.separators.starts_with(',') || columns.first.starts_with('"')) {
+        return "";
+    }
+    if (columns.separators.find_first_of(";\t") != std::string::npos) {
+        return "a comma before ; or a tab: write a number with a point, 4.6, and without separators, 1000";
+    }
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::size_t comma = columns.all.find(',');
+    const bool is_between_digits = comma > 0 && comma + 1 < columns.all.size() &&
+                                   is_digit(columns.all[comma - 1]) && is_digit(columns.all[comma + 1]);
+    return is_between_digits && columns.separators != of_heading
+               ? "one number or two columns? Write a number as 4.6 or 1000, or put the column in double "
+                 "quotes"
+               : "";
 }
 
 /// The first digits, not rounded.
@@ -118,6 +173,8 @@ class ListRun {
     IncomingLines lines_;
     CertificateFolder folder_;
     Progress progress_;
+    bool begun_ = false;   ///< a line with content has come
+    std::string heading_;  ///< its separators, if that was one
     std::atomic<bool> cut_ = false;
     long printed_ = 0, last_ = 0;  ///< lines, and the number of the last
     Tally bad_{}, undecided_{};
@@ -125,9 +182,19 @@ class ListRun {
 
 std::optional<Line> ListRun::next_line(const Interrupted& in_vain) {
     while (const auto line = lines_.next([&] { return stop_signal != 0 || in_vain(); })) {
-        if (std::string content = content_of(*line); !content.empty()) {
-            return Line{lines_.number(), std::move(content)};
+        const Columns columns(*line);
+        if (columns.all.empty()) {
+            continue;
         }
+        std::string fault = unclear(columns, heading_);
+        std::string column = fault.empty() ? unquoted(columns.first) : std::string(columns.all);
+        const bool is_heading = !begun_ && fault.empty() && !column.empty() &&
+                                column.find_first_of("0123456789") == std::string::npos;
+        begun_ = true;
+        if (!is_heading) {
+            return Line{lines_.number(), std::move(column), std::move(fault)};
+        }
+        heading_ = columns.separators;
     }
     return std::nullopt;
 }
@@ -135,7 +202,9 @@ std::optional<Line> ListRun::next_line(const Interrupted& in_vain) {
 Answered ListRun::answered(Line line) const {
     Answered done{std::move(line), {}};
     try {
-        done.answer = answer_(done.line.given, folder_.file(done.line.number));
+        if (done.line.fault.empty()) {
+            done.answer = answer_(done.line.given, folder_.file(done.line.number));
+        }
     } catch (const InputError& error) {
         done.line.fault = error.what();
     }

@@ -11,17 +11,17 @@
 #include "number/ratio_argument.hpp"
 #include "words/json.hpp"
 
-/// `--list FILE`: what a command says of one mass ratio, for many.
+/// `--list FILE`: what a command says of one mass ratio, for many, in the same way for every command.
 namespace dumbbell::cli {
 
 inline constexpr Option list_option =
     Option{"--list", "FILE", "the ratios that FILE has, one a line (-: the standard input)"}.of("lists");
-/// What the help says of them.
+/// What every command says of them, which ends with examples of its own.
 inline constexpr const char* lists_text =
     R"(Answer each line of a file: a table with tabs, or with --json a line of JSON each.
 
-A line is a mass ratio or a range. # begins a comment. A line that is wrong does not stop the others: its row says what
-is wrong with it.)";
+A line is a mass ratio, a range where the command takes one, or the first column of CSV. # begins a comment. A line that
+is wrong does not stop the others: its row says what is wrong with it.)";
 
 /// Bounds of the number of collisions, for every mass ratio of [q_lo, q_hi].
 struct ListRow {
@@ -39,7 +39,7 @@ struct ListAnswer {
     std::string claim{};        ///< that it proves, as options of the verifier; only if `is_decided`
 };
 
-/// Answers one line, of which `number` is what it says, on any thread, and on it alone. `out`: the name
+/// Answers one line, of which `number` is the first column, on any thread, and on it alone. `out`: the name
 /// under which the certificate will be kept; empty: none is wanted. An InputError is that of the line.
 using AnswerLine = std::function<ListAnswer(const std::string& number, const std::string& out)>;
 

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/commands/verify.hpp"
+#include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
@@ -30,7 +31,7 @@ first. --prove makes it.
 
 --ratio says what the law says of one mass ratio up to 10^1000: N(q), or the two values that remain where q is too near
 a step. --count encloses one critical ratio q_c(N), at which the maximum steps from N - 1 to N. Both rest on that
-certificate, and name its SHA-256; they do not verify it again. --ratio, --count and --prove exclude each other.
+certificate, and name its SHA-256; they do not verify it again. --ratio, --count, --list and --prove exclude each other.
 
 Examples:
   dumbbell law                                the law for every mass ratio, verified
@@ -39,16 +40,23 @@ Examples:
   dumbbell law --prove --out law.dbc          make its certificate again)";
 
 constexpr const char* law_footer =
-    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage, or a certificate that is not verified; 3 two values
-remain (--ratio); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+    R"(Exit codes: 0 proved; 1 internal error; 2 wrong usage, also of one line of a list, or a certificate that is not
+verified; 3 two values remain (--ratio, --list); 130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
+
+constexpr std::array law_topics{Topic{"lists", lists_text,
+                                      R"(--list does not go with --digits or --quiet.
+
+Example:
+  dumbbell law --list ratios.txt              N at each ratio of a file)"}};
 
 constexpr std::array law_options{
     Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes(
         "--count,--prove"),
+    list_option.excludes("--ratio,--count,--prove,--digits,--quiet"),
     Option{"--count", "N", "enclose the critical ratio q_c(N), N from 903 to 10^100"}.excludes("--prove"),
     flag("--prove", "prove the law's computed part anew"),
     certificate_option.needs("--prove"),
-    jobs_option.needs("--prove"),
+    jobs_option.needs("--prove,--list"),
     Option{"--digits", "N", "digits of C and c0, all of them proved", "50"}.from(1, 1000).excludes(
         "--ratio,--count"),
     json_option,
@@ -110,15 +118,31 @@ std::string certificate_of_answers() {
     return file;
 }
 
+law::AtRatio law_at_one(const char* who, const RatioArgument& ratio,
+                        const std::vector<law::StepEnds>& steps) {
+    if (ratio.lo != ratio.hi) {
+        throw InputError(fmt::format("{} takes one mass ratio, for example 1e100 or 7/3", who));
+    }
+    return law::law_at(ratio.lo, steps);
+}
+
 int answer_at_ratio(const Given& given) {
     const RatioArgument ratio = parse_ratio_argument(given.text("--ratio"));
-    if (ratio.lo != ratio.hi) {
-        throw InputError("--ratio takes one mass ratio, for example 1e100 or 7/3");
-    }
     const std::string file = certificate_of_answers();
-    const law::AtRatio at = law::law_at(ratio.lo, law::read_steps(file));
+    const law::AtRatio at = law_at_one("--ratio", ratio, law::read_steps(file));
     fmt::print("{}", shown(law::Answer{at, file}, given));
     return at.lower == at.upper ? exit_done : exit_not_certified;
+}
+
+int answer_at_ratios(const Given& given) {
+    const std::string file = certificate_of_answers();
+    const auto steps = law::read_steps(file);
+    return answer_list(given, [&](const std::string& ratio, const std::string& /*out*/) {
+        const law::AtRatio at = law_at_one("the law", parse_ratio_argument(ratio), steps);
+        return ListAnswer{.rows = {{at.q, at.q, Count(at.lower), Count(at.upper)}},
+                          .is_decided = at.lower == at.upper,
+                          .json = given.has("--json") ? to_json(law::Answer{at, file}) : Json()};
+    });
 }
 
 /// N of --count, also as 1e50. Throws InputError.
@@ -143,6 +167,9 @@ int run_law(const Given& given) {
     if (given.has("--prove")) {
         return stoppable([&] { return make_certificate(given); });
     }
+    if (given.has("--list")) {
+        return stoppable([&] { return answer_at_ratios(given); });
+    }
     return given.has("--ratio")   ? answer_at_ratio(given)
            : given.has("--count") ? answer_at_count(given)
                                   : state_law(given);
@@ -150,6 +177,7 @@ int run_law(const Given& given) {
 
 }  // namespace
 
-constinit const Command law_command{"law", more_group, law_description, law_footer, law_options, run_law};
+constinit const Command law_command{"law",   more_group, law_description, law_footer, law_options,
+                                    run_law, {},         nullptr,         law_topics};
 
 }  // namespace dumbbell::cli

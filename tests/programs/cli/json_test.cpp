@@ -179,9 +179,12 @@ TEST_CASE("docs/reference/json.md describes the JSON of join") {
 
 TEST_CASE("docs/reference/json.md describes the JSON of law", "[wings]") {
     const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
     check_documented("law", printed_by({{"law"}, {"law", "--prove", "--out", "law.dbc"}}, folder));
-    check_documented("law --ratio",
-                     printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}}, folder));
+    check_documented(
+        "law --ratio",
+        printed_by({{"law", "--ratio", "1e100"}, {"law", "--ratio", "63"}, {"law", "--list", "list"}},
+                   folder));
     check_documented("law --count", printed_by({{"law", "--count", "1e50"}}, folder));
 }
 

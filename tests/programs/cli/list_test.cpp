@@ -1,4 +1,4 @@
-// --list FILE: what certify says of one mass ratio, for the lines of a file.
+// --list FILE: what certify, law and trace say of one mass ratio, for the lines of a file.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -14,10 +14,10 @@ const std::string heading =
     "line\tgiven\tratio_lo\tratio_lo_decimal\tratio_hi\tratio_hi_decimal\tlower\tupper\terror\n";
 const std::string abc_is_wrong = "'abc' is not a number: write it like 10, 4.6, 1e6 or 9/2";
 
-Outcome listed(const std::string& lines, Words options = {}) {
+Outcome listed(const std::string& lines, Words options = {}, const std::string& command = "certify") {
     const TemporaryFolder folder;
     write_file(folder / "list", lines);
-    options.insert(options.begin(), {"certify", "--list", "list"});
+    options.insert(options.begin(), {command, "--list", "list"});
     return dumbbell(options, folder.path());
 }
 
@@ -55,23 +55,34 @@ TEST_CASE("a list gives a table, a row for each piece, with exact ratios and dec
                             "3\t0.3\t10/3\t3.3333333333333333\t10/3\t3.3333333333333333\t3\t3\t\n");
 }
 
-TEST_CASE("comments, empty lines, blanks and foreign line ends are understood") {
-    const Outcome result = listed("# mine\r\n\r\n10\r\n 20\t # why\r\n");
+TEST_CASE("comments, empty lines, a heading, further columns, quotes and foreign line ends are understood") {
+    const Outcome result = listed("# mine\r\nratio,name\r\n\r\n\"10\",ten\r\n 20 ; x # why\r\n30\tz\n");
     CHECK(result.code == 0);
     CHECK(result.out == heading +
-                            "3\t10\t10/1\t10\t10/1\t10\t4\t4\t\n"
-                            "4\t20\t20/1\t20\t20/1\t20\t5\t5\t\n");
+                            "4\t10\t10/1\t10\t10/1\t10\t4\t4\t\n"
+                            "5\t20\t20/1\t20\t20/1\t20\t5\t5\t\n"
+                            "6\t30\t30/1\t30\t30/1\t30\t6\t6\t\n");
 }
 
-TEST_CASE("of a line that is more than a number, or another spelling of one, no part is taken for one") {
-    for (const std::string line : {"4,6", "1,000.5", "10,x", "10;4", "10\t4", "1 000", "1'000", "\"10\"",
-                                   "+10", "10%", "\u221210", "1\u00a0000"}) {
+TEST_CASE("a column in quotes is one column, and of a number of another spelling no part is taken for one") {
+    const std::vector<std::string> wrong{
+        "\"4,6\",x", "\"1,000\"", "\"1;5\"", "\"4\t6\"",  "4,6",        "4,6;10", "1,000.5\tx", "1,000,000",
+        "1 000",     "1'000",     "=\"10\"", "=\"10,5\"", "+10",        "10%",    "\u221210",   "1\u00a0000",
+        "10,x;5",    "\"10",      "10,\"a",  ",10",       "\"1\"\"0\"", "\"10\"5"};
+    for (const std::string& line : wrong) {
         CAPTURE(line);
-        const Outcome result = listed(line + "\n10\n");
+        const Outcome result = listed(line + "\n10,y\n");
         CHECK(result.code == 2);
         CHECK_THAT(result.err, Contains("bad: 1 of 2 lines; the first is line 1: "));
         CHECK_THAT(result.out, Contains("\n2\t10\t10/1\t"));
     }
+    const std::string ten = "\t10\t10/1\t10\t10/1\t10\t4\t4\t\n";
+    CHECK(listed(" \"10\" ,\"a, b # \"\"c\"\";\"\n10;4,5\n10, 4\n\"10\",4\n").out ==
+          heading + "1" + ten + "2" + ten + "3" + ten + "4" + ten);
+    // Under a heading with as many columns a comma between digits separates, as it does in every CSV.
+    const Outcome headed = listed("q,N\n10,4\n10,4,6\n");
+    CHECK(headed.out.find("2" + ten) == heading.size());
+    CHECK_THAT(headed.out, Contains("\n3\t10,4,6\t\t\t\t\t\t\tone number or two columns?"));
 }
 
 TEST_CASE("bad lines are named by number and do not stop the others") {
@@ -86,22 +97,38 @@ TEST_CASE("bad lines are named by number and do not stop the others") {
 }
 
 TEST_CASE("no field of a table is taken apart or for a quoted one, whatever a line has") {
-    const Outcome result = listed("10\nx\"y\x1b\n");
+    const Outcome result = listed("10\nx\"y\x1b\tz\n");
     CHECK_THAT(result.out, Contains("\n2\tx'y?\t\t\t\t\t\t\t'x'y?' is not a number"));
 }
 
 TEST_CASE("with --json a line is what the command prints of that ratio, on one line, with the line's number",
           "[wings]") {
-    const Outcome result = listed("10\nabc\n1/70\n", {"--json"});
-    CHECK(result.code == 2);
-    const auto lines = json_lines(result);
-    REQUIRE(lines.size() == 3);
-    const Json expected = Json::parse(dumbbell({"certify", "1/70", "--json"}).out);
-    CHECK(without(lines[2], {"seconds", "jobs", "line", "given"}) == without(expected, {"seconds", "jobs"}));
-    CHECK(lines[2].at("line") == 3);
-    CHECK(lines[2].at("given") == "1/70");
-    CHECK(lines[1] ==
-          Json{{"schema", "dumbbell-list-1"}, {"line", 2}, {"given", "abc"}, {"error", abc_is_wrong}});
+    for (const std::string command : {"certify", "law"}) {
+        CAPTURE(command);
+        Words alone{command};
+        const Outcome result = listed("10\nabc\n1/70\n", {"--json"}, command);
+        CHECK(result.code == 2);
+        const auto lines = json_lines(result);
+        REQUIRE(lines.size() == 3);
+        if (command == "law") {
+            alone.emplace_back("--ratio");
+        }
+        alone.insert(alone.end(), {"1/70", "--json"});
+        const Json expected = Json::parse(dumbbell(alone).out);
+        CHECK(without(lines[2], {"seconds", "jobs", "line", "given"}) ==
+              without(expected, {"seconds", "jobs"}));
+        CHECK(lines[2].at("line") == 3);
+        CHECK(lines[2].at("given") == "1/70");
+        CHECK(lines[1] ==
+              Json{{"schema", "dumbbell-list-1"}, {"line", 2}, {"given", "abc"}, {"error", abc_is_wrong}});
+    }
+}
+
+TEST_CASE("law gives the same table", "[wings]") {
+    const Outcome law = listed("70\n4.6034\n1:2\n", {}, "law");
+    CHECK(law.code == 2);
+    CHECK_THAT(law.out, StartsWith(heading + "1\t70\t70/1\t70\t70/1\t70\t9\t9\t\n") &&
+                            Contains("\n3\t1:2\t\t\t\t\t\t\tthe law takes one mass ratio, for"));
 }
 
 TEST_CASE("lines that are not decided are counted, the first is named, and the exit code is 3", "[wings]") {
@@ -110,6 +137,7 @@ TEST_CASE("lines that are not decided are counted, the first is named, and the e
     CHECK(result.out == heading + "1\t10\t10/1\t10\t10/1\t10\t0\t\t\n2\t20\t20/1\t20\t20/1\t20\t0\t\t\n");
     CHECK(result.err == "dumbbell: not decided: 2 of 2 lines; the first is line 1\n");
     CHECK(listed("10\nabc\n", {"--budget", "0s"}).code == 2);
+    CHECK(listed("4.6\n", {}, "law").code == 3);
 }
 
 TEST_CASE("the output does not depend on the number of threads, and many lines come in their order") {
@@ -194,7 +222,7 @@ TEST_CASE("a list that is not there, has no ratio, or whose options contradict o
     CHECK_THAT(refused({"certify", "--list", "-", "--gap", "2"}), Contains("--gap 2 is out of range"));
     CHECK_THAT(refused({"certify", "--list", "-", "--out", "-"}), Contains("give a new folder"));
     CHECK_THAT(refused({"certify"}), Contains("certify needs RATIO, --list FILE, or a body"));
-    CHECK_THAT(refused({"law", "--jobs", "2"}), Contains("--jobs requires --prove"));
+    CHECK_THAT(refused({"law", "--jobs", "2"}), Contains("--jobs requires --prove or --list"));
     CHECK_THAT(refused({"trace", "10", "--phi", "1"}), Contains("--phidot is required"));
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n");
