@@ -80,10 +80,6 @@ Examples:
   dumbbell certify --list ratios.txt --out answers     each ratio of a file, with a folder of certificates
   dumbbell certify --list inertias.txt --rho 1/2       each Q of a file)"}};
 
-/// With --list it may be a folder's name.
-constexpr Option out_option = certificate_option.checked(
-    [](const std::string& name) { return name.empty() ? fault_of_name(name, std::nullopt) : std::string(); });
-
 constexpr std::array certify_options = joined(
     std::array{ratio_option}, claim_options, body_options,
     std::array{
@@ -92,8 +88,9 @@ constexpr std::array certify_options = joined(
                "rho > 1, by area in (log rho, log Q), from 0 to 1; not one number for all of them"}
             .needs("--rho")
             .of("bodies"),
-        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), part_option,
-        out_option, jobs_option, budget_option.saying("give up after this time: 30s, 10m, 2h"),
+        list_option.excludes("RATIO,--coin,--inertia,--decided,--part,--witness,--quiet"), strict_option,
+        part_option, certificates_option, jobs_option,
+        budget_option.saying("give up after this time: 30s, 10m, 2h"),
         flag("--witness",
              "print an orbit that attains the maximum, every collision enclosed; if it has up to 5000 "
              "collisions, also a start in the air for trace, where one is found")
@@ -254,9 +251,7 @@ int run_certify(const Given& given) {
     if (!given.has("RATIO") && !body) {
         throw InputError("certify needs RATIO, --list FILE, or a body: --coin, or --rho and --inertia");
     }
-    if (given.has("--out")) {
-        require_name_of(given.text("--out"), Content::certificate);
-    }
+    require_certificate_name(given);
     if (is_rectangle(given)) {
         return certify_rectangle(given);
     }

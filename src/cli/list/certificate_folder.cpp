@@ -34,17 +34,16 @@ CertificateFolder::CertificateFolder(std::string folder, const std::string& clai
     if (!lock_.take(folder_)) {
         throw InputError(fmt::format("--out: '{}' is in use by another run", folder_));
     }
-    claims_file_ = (fs::path(folder_) / "claims.tsv").string();
-    const bool goes_on =
-        fs::is_regular_file(claims_file_) && file_contents(claims_file_).starts_with(not_complete_);
+    claims_file_ = claims_of.empty() ? "" : (fs::path(folder_) / "claims.tsv").string();
+    const bool goes_on = !claims_file_.empty() && fs::is_regular_file(claims_file_) &&
+                         file_contents(claims_file_).starts_with(not_complete_);
     const std::string unfinished = temporary_name(claims_file_);
     const auto is_other = [&](const fs::path& file) { return file != unfinished; };
     if (!goes_on &&
         std::ranges::any_of(fs::directory_iterator(folder_), is_other, &fs::directory_entry::path)) {
         throw InputError(
-            fmt::format("--out: '{}' has files: with --list give a new or an empty folder, or go on with the "
-                        "command that has left it",
-                        folder_));
+            fmt::format("--out: '{}' has files: with --list give a new or an empty folder{}", folder_,
+                        claims_file_.empty() ? "" : ", or go on with the command that has left it"));
     }
     finish(false);
 }

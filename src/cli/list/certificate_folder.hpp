@@ -13,7 +13,7 @@ namespace dumbbell::cli {
 class CertificateFolder {
   public:
     /// Makes the folder; an empty name: none is wanted. `claims_of`: on what the certificates depend besides
-    /// their lines. Throws InputError for a folder that has files, unless an
+    /// their lines; empty: no claims are listed. Throws InputError for a folder that has files, unless an
     /// earlier run has left it, of the same and not complete.
     CertificateFolder(std::string folder, const std::string& claims_of);
 

@@ -219,6 +219,9 @@ bool ListRun::hand_on(const Answered& done) {
     const std::string line = fmt::format("line {}", done.line.number);
     if (!done.line.fault.empty()) {
         bad_.add(fmt::format("{}: {}", line, done.line.fault));
+        if (given_.has("--strict")) {
+            throw InputError(fmt::format("'{}', {}", lines_.path(), bad_.first));
+        }
     } else if (!done.answer.is_decided) {
         undecided_.add(line);
     }
@@ -270,6 +273,20 @@ int ListRun::run() {
 
 int answer_list(const Given& given, const AnswerLine& answer, const std::string& claims_of) {
     return ListRun(given, answer, claims_of).run();
+}
+
+void require_certificate_name(const Given& given) {
+    if (given.has("--out")) {
+        require_name_of(given.text("--out"), Content::certificate);
+    }
+}
+
+RatioArgument given_ratio(const Given& given) {
+    if (!given.has("RATIO")) {
+        throw InputError("RATIO is required, or --list FILE");
+    }
+    require_certificate_name(given);
+    return parse_ratio_argument(given.text("RATIO"));
 }
 
 }  // namespace dumbbell::cli

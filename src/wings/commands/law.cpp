@@ -53,6 +53,7 @@ constexpr std::array law_options{
     Option{"--ratio", "RATIO", "what the law says of this mass ratio: 1e100, 7/3"}.excludes(
         "--count,--prove"),
     list_option.excludes("--ratio,--count,--prove,--digits,--quiet"),
+    strict_option,
     Option{"--count", "N", "enclose the critical ratio q_c(N), N from 903 to 10^100"}.excludes("--prove"),
     flag("--prove", "prove the law's computed part anew"),
     certificate_option.needs("--prove"),

@@ -9,6 +9,7 @@
 #include "cli/claims/body.hpp"
 #include "cli/claims/collisions.hpp"
 #include "cli/commands.hpp"
+#include "cli/list/list.hpp"
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
@@ -51,18 +52,26 @@ Examples:
   dumbbell trace 10 --incoming --subdivide --shares                      how likely is each number of collisions?)";
 
 constexpr const char* trace_footer =
-    R"(Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input; 3 not
+    R"(Exit codes: 0 an outcome is certified; 1 internal error; 2 wrong usage or input, also of one line of a list; 3 not
 decided at this precision, or at any (the start lies on or near a corner, a flat fall or a grazing contact); 130 or 143
 stopped by SIGINT (Ctrl-C) or SIGTERM: nothing is kept.)";
 
-constexpr std::array trace_topics{Topic{
-    "bodies", "Follow a rigid body.",
-    R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia, which are numbers here. The light end is the one
+constexpr std::array trace_topics{
+    Topic{
+        "bodies", "Follow a rigid body.",
+        R"(A body is RATIO with --rod-mass, or --coin, or --rho with --inertia, which are numbers here. The light end is the one
 at the distance d1 from the centre of mass, the heavy one that at d2; the rod length is d1 + d2. What is said holds in a
 plane, and until a corner is met. There is no certificate of it.
 
 Example:
-  dumbbell trace --coin --phi 1/3 --phidot 1 --y 3 --ydot -1/2)"}};
+  dumbbell trace --coin --phi 1/3 --phidot 1 --y 3 --ydot -1/2)"},
+    Topic{
+        "lists", lists_text,
+        R"(Each ratio has the same start. With --subdivide, --out names a new folder, for the certificates. --list does not go
+with --quiet.
+
+Example:
+  dumbbell trace --list ratios.txt --phi 1/3 --phidot 1 --y 3 --ydot -1/2    at each ratio of a file)"}};
 
 constexpr Option quantity_option(std::string_view name, std::string_view text) {
     return Option{name, "A|LO:HI", text};
@@ -70,6 +79,8 @@ constexpr Option quantity_option(std::string_view name, std::string_view text) {
 
 constexpr std::array start_options{
     ratio_option,
+    list_option.excludes("RATIO,--quiet,--coin,--rho,--inertia,--rod-mass"),
+    strict_option,
     quantity_option("--phi", "angle of the rod: radians, or like 30deg, pi/2, 0.3pi"),
     quantity_option("--phidot", "its velocity (radians)"),
     quantity_option("--y", "height of the centre of mass, rod lengths"),
@@ -81,7 +92,7 @@ constexpr std::array start_options{
         .needs("--subdivide")
         .excludes("--phi,--phidot,--y,--ydot,--digits"),
     flag("--subdivide", "halve the box until every part has its exact number of collisions"),
-    certificate_option
+    certificates_option
         .saying(
             "with --subdivide: write the certificate to FILE (FILE.gz: compressed); -: the standard output")
         .needs("--subdivide"),
@@ -141,10 +152,7 @@ struct System {
 
 System system_of(const Given& given) {
     if (!is_about_body(given)) {
-        if (!given.has("RATIO")) {
-            throw InputError("RATIO is required");
-        }
-        return {parse_ratio_argument(given.text("RATIO")), {}};
+        return {given_ratio(given), {}};
     }
     const collisions::Claim body = body_claim(given);
     if (given.has("--out")) {
@@ -203,12 +211,13 @@ starts::TraceReport report_at(const Given& given, const System& system) {
             .shares = given.has("--shares")};
 }
 
-void halve(starts::TraceReport& report, const Given& given, const Interrupted& interrupted) {
-    Progress progress("boxes", verbosity_of(given), "halving the box");
+void halve(starts::TraceReport& report, const Given& given, int jobs, Verbosity verbosity,
+           const Interrupted& interrupted) {
+    Progress progress("boxes", verbosity, "halving the box");
     report.parts =
         subdivide(report.box,
                   starts::SubdivideOptions{.max_boxes = static_cast<std::size_t>(given.number("--max-boxes")),
-                                           .jobs = jobs_of(given),
+                                           .jobs = jobs,
                                            .incoming = report.incoming,
                                            .bits = std::min(report.trace.bits, most_file_bits),
                                            .interrupted = interrupted,
@@ -224,15 +233,15 @@ bool is_cut(const starts::TraceReport& report) {
     return stop_signal != 0 && (report.parts ? report.parts->undecided.share > 0 : !report.trace.exact());
 }
 
-void follow(starts::TraceReport& report, const Given& given) {
+void follow(starts::TraceReport& report, const Given& given, int jobs, Verbosity verbosity) {
     const Interrupted interrupted = deadline(budget_of(given));
     const Stopwatch watch;
     if (!report.incoming) {
-        Progress progress("collisions", verbosity_of(given), "following the orbit");
+        Progress progress("collisions", verbosity, "following the orbit");
         report.trace = trace(report.box, report.digits, progress, deadline(std::nullopt));
     }
     if (given.has("--subdivide")) {
-        halve(report, given, interrupted);
+        halve(report, given, jobs, verbosity, interrupted);
     }
     if (!is_cut(report) && (!report.trace.exact() || report.parts)) {
         bound_by_maximum(report, starts::most_of_all(report.box));
@@ -244,12 +253,40 @@ bool is_certified(const starts::TraceReport& report) {
     return report.trace.exact() || (!report.is_single() && !event_of(report));
 }
 
+SealedText text_of_certificate(const starts::TraceReport& report) {
+    SealedText whole;
+    whole.sha256 = render(certificate_of_starts(report), report.parts->tree,
+                          [&](std::string_view part) { whole.text += part; });
+    return whole;
+}
+
+/// What is said of a line of --list.
+ListAnswer trace_line(const Given& given, const RatioArgument& ratio, const std::string& out) {
+    starts::TraceReport report = report_at(given, {ratio, {}});
+    follow(report, given, 1, Verbosity::quiet);
+    ListAnswer answer{.rows = {{ratio.lo, ratio.hi, report.trace.least, report.trace.most}},
+                      .is_decided = is_certified(report)};
+    if (!out.empty()) {
+        SealedText certificate = text_of_certificate(report);
+        answer.certificate = std::move(certificate.text);
+        report.out = out;
+        report.sha256 = std::move(certificate.sha256);
+    }
+    answer.json = given.has("--json") ? to_json(report) : Json();
+    return answer;
+}
+
 int run_trace(const Given& given) {
     require_start(given);
+    if (given.has("--list") && !is_about_body(given)) {
+        return answer_list(given, [&](const std::string& ratio, const std::string& out) {
+            return trace_line(given, parse_ratio_argument(ratio), out);
+        });
+    }
     const System system = system_of(given);
     starts::TraceReport report = report_at(given, system);
     const Output output(given.text("--out"), {}, given.has("--json") ? "--json" : nullptr);
-    follow(report, given);
+    follow(report, given, jobs_of(given), verbosity_of(given));
     if (is_cut(report)) {
         return stopped(
             report.parts

@@ -66,7 +66,7 @@ TEST_CASE("the help of certify fits one screen, and bodies and lists have a help
     CHECK_THAT(help, Contains("\nMore: dumbbell certify --help bodies | lists\n") && !Contains("--coin"));
     CHECK_THAT(bodies, Contains("certify --coin ") && Contains("--rho RHO ") && !Contains("--list"));
     CHECK(dumbbell({"help", "certify", "bodies"}).out == bodies);
-    CHECK_THAT(help_of({"law"}, {"lists"}).out, Contains("dumbbell law --list"));
+    CHECK_THAT(help_of({"law"}, {"lists"}).out, Contains("dumbbell law --list") && Contains("--strict"));
     CHECK_THAT(refused({"certify", "--help", "coins"}),
                Contains("there is no help about 'coins'; see dumbbell certify --help"));
     CHECK_THAT(refused({"help", "audit", "lists"}), Contains("there is no help about 'lists'"));

@@ -196,18 +196,21 @@ TEST_CASE("docs/reference/json.md describes the JSON of a bad line of a list") {
 
 TEST_CASE("docs/reference/json.md describes the JSON of trace", "[wings]") {
     const TemporaryFolder folder;
+    write_file(folder / "list", "10\n");
     const Words part{"--phi",       "0:0.5", "--phidot", "0",       "--subdivide",
                      "--max-boxes", "20",    "--out",    "box.dbc", "--shares"};
     check_documented(
-        "trace", printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
-                             falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
-                             falling({"--phi", "0.3:0.31", "--phidot", "0"}),
-                             falling({"--phi", "0", "--phidot", "0"}),
-                             falling({"--phi", "pi/6", "--phidot", "0"}),
-                             falling(part),
-                             {"trace", "--coin", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
-                             {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
-                            folder));
+        "trace",
+        printed_by({falling({"--phi", "0.3", "--phidot", "0"}),
+                    falling({"--phi", "0.3", "--phidot", "0", "--digits", "20"}),
+                    falling({"--phi", "0.3:0.31", "--phidot", "0"}),
+                    falling({"--phi", "0", "--phidot", "0"}),
+                    falling({"--phi", "pi/6", "--phidot", "0"}),
+                    falling(part),
+                    {"trace", "--list", "list", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
+                    {"trace", "--coin", "--phi", "0.3", "--phidot", "0", "--y", "3", "--ydot", "-1"},
+                    {"trace", "10", "--incoming", "--subdivide", "--max-boxes", "20", "--shares"}},
+                   folder));
 }
 
 TEST_CASE("docs/reference/json.md describes the JSON of adiabatic", "[wings]") {

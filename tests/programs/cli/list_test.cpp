@@ -85,7 +85,7 @@ TEST_CASE("a column in quotes is one column, and of a number of another spelling
     CHECK_THAT(headed.out, Contains("\n3\t10,4,6\t\t\t\t\t\t\tone number or two columns?"));
 }
 
-TEST_CASE("bad lines are named by number and do not stop the others") {
+TEST_CASE("bad lines are named by number and do not stop the others, but with --strict the first one does") {
     const std::string lines = "10\nabc\n5:3\n1e101\n20\n", ten = "1\t10\t10/1\t10\t10/1\t10\t4\t4\t\n";
     const Outcome result = listed(lines);
     CHECK(result.code == 2);
@@ -94,6 +94,10 @@ TEST_CASE("bad lines are named by number and do not stop the others") {
                StartsWith(heading + ten + "2\tabc\t\t\t\t\t\t\t" + abc_is_wrong + "\n3\t5:3\t\t"));
     CHECK_THAT(result.out, EndsWith("5\t20\t20/1\t20\t20/1\t20\t5\t5\t\n"));
     CHECK(count_lines(result.out) == 6);
+    const Outcome strict = listed(lines, {"--strict"});
+    CHECK(strict.code == 2);
+    CHECK(strict.out == heading + ten);
+    CHECK(strict.err == "dumbbell: 'list', line 2: " + abc_is_wrong + "\n");
 }
 
 TEST_CASE("no field of a table is taken apart or for a quoted one, whatever a line has") {
@@ -213,6 +217,17 @@ TEST_CASE("a list that was killed, or had a bad line, goes on with what is missi
     CHECK(run({"diff", "-r", folder / "once", folder / "proofs"}).code == 0);
 }
 
+TEST_CASE("trace --subdivide keeps its certificates in the same way", "[wings]") {
+    const TemporaryFolder folder;
+    write_file(folder / "list", "10\n20\n");
+    const Outcome result = dumbbell({"trace", "--list", "list", "--phi", "0:0.5", "--phidot", "0", "--y", "3",
+                                     "--ydot", "-1", "--subdivide", "--max-boxes", "20", "--out", "boxes"},
+                                    folder.path());
+    CHECK(count_lines(result.out) == 3);
+    CHECK(run({"ls", folder / "boxes"}).out == "000001.dbc\n000002.dbc\n");
+    CHECK(verifier({"boxes/000001.dbc", "boxes/000002.dbc"}, folder.path()).code == 0);
+}
+
 TEST_CASE("a list that is not there, has no ratio, or whose options contradict one another is refused",
           "[wings]") {
     CHECK_THAT(refused({"certify", "--list", "none"}), Contains("cannot read 'none': no such file"));
@@ -221,9 +236,10 @@ TEST_CASE("a list that is not there, has no ratio, or whose options contradict o
     CHECK_THAT(refused({"certify", "10", "--list", "x"}), Contains("--list and RATIO exclude each other"));
     CHECK_THAT(refused({"certify", "--list", "-", "--gap", "2"}), Contains("--gap 2 is out of range"));
     CHECK_THAT(refused({"certify", "--list", "-", "--out", "-"}), Contains("give a new folder"));
+    CHECK_THAT(refused({"certify", "10", "--strict"}), Contains("--strict requires --list"));
     CHECK_THAT(refused({"certify"}), Contains("certify needs RATIO, --list FILE, or a body"));
     CHECK_THAT(refused({"law", "--jobs", "2"}), Contains("--jobs requires --prove or --list"));
-    CHECK_THAT(refused({"trace", "10", "--phi", "1"}), Contains("--phidot is required"));
+    CHECK_THAT(refused({"trace", "--list", "-", "--phi", "1"}), Contains("--phidot is required"));
     const TemporaryFolder folder;
     write_file(folder / "list", "10\n");
     const Outcome result = dumbbell({"certify", "--list", "list", "--out", "."}, folder.path());

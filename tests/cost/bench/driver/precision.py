@@ -17,7 +17,8 @@ JOBS = [("gap", "certify 1:10000 --gap", ["1e-3", "1e-6", "1e-9", "1e-12", "1e-1
         ("boxes", "trace 10 --incoming --subdivide --shares --max-boxes", ["500", "2000", "8000", "32000"]),
         ("law", "law --ratio", ["1e6", "1e12", "1e100", "1e1000"]),
         ("law", "law --prove", [""]),
-        ("far", "certify", ["1e6", "1e8", "1e10", "1e12", "1e18", "1e24", "1e36", "1e50", "1e100"])]
+        ("far", "certify", ["1e6", "1e8", "1e10", "1e12", "1e18", "1e24", "1e36", "1e50", "1e100"]),
+        ("far", "certify --rho 1/2 --inertia", ["1e4", "1e6", "1e8"])]
 HARD = ["1.000000000000001"]
 STEPS, RELATIVE = ["12", "885598"], Fraction(1, 10**30)  # both sides of these steps, so near
 MEMORY = Path("/dev/shm")

@@ -12,7 +12,7 @@ PAGE = ROOT / "docs/7-speed.md"
 COMMAND = "./run bench --only precision --tsv docs/pictures/work-precision.tsv"
 FIELDS = ["group", "case", "method", "setting", "cost", "result"]
 MEASURED = ["src/number", "src/flight", "src/collisions", "src/critical", "src/wings/starts", "src/wings/law",
-            *(f"src/verify/{room}" for room in ("core", "machine", "guess", "functions", "macro", "wings/starts", "wings/law")),
+            *(f"src/verify/{room}" for room in ("core", "machine", "guess", "functions", "macro", "sections", "wings/starts", "wings/law")),
             "tests/cost/bench", "tests/cost/bench/driver/precision.py",
             *(f"tests/rooms/flight/{name}.hpp" for name in ("hard_orbits", "propagation", "wall_step"))]
 FORMS = [("monotone", "two rays"), ("mean value", "mean value steps"), ("parallelepiped", "parallelepiped"),
