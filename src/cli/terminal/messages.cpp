@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/printable.hpp"
+#include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -26,7 +27,8 @@ bool is_coloured() { return stderr_is_terminal() && environment("NO_COLOR").empt
 void say(const std::string& text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void complain(const std::string& text) {
-    say(fmt::format("{} {}\n", is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", one_line(text)));
+    say(fmt::format("{} {}\n",
+                    is_coloured() ? "\033[31mdumbbell:\033[0m" : "dumbbell:", one_line(as_named(text))));
 }
 
 bool stderr_is_terminal() {

@@ -44,7 +44,9 @@ bool ends_in(const std::string& file, std::string_view ending) {
 bool same_file(const std::string& output, const std::string& input) {
     struct stat out {};
     struct stat in {};
-    const bool both = ::stat(output.c_str(), &out) == 0 && ::stat(input.c_str(), &in) == 0;
+    const bool both =
+        ::stat(output.c_str(), &out) == 0 &&
+        (input == standard_stream ? ::fstat(STDIN_FILENO, &in) : ::stat(input.c_str(), &in)) == 0;
     return both && out.st_dev == in.st_dev && out.st_ino == in.st_ino;
 }
 

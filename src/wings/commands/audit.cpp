@@ -5,6 +5,7 @@
 #include "cli/terminal/common.hpp"
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/messages.hpp"
+#include "cli/terminal/standard_input.hpp"
 
 namespace dumbbell::cli {
 namespace {
@@ -22,13 +23,16 @@ constexpr const char* audit_footer =
     R"(Exit codes: 0 tiles exactly; 1 internal error; 2 wrong usage or unreadable input; 3 does not tile.)";
 
 constexpr std::array audit_options{
-    argument("FILE", "certificates about mass ratios, with covers").required().repeated(), json_option};
+    argument("FILE", "certificates about mass ratios, with covers (-: the standard input)")
+        .required()
+        .repeated(),
+    json_option};
 
 audit::AuditedFile audited(const std::string& path) {
     Progress progress("", Verbosity::normal, "reading");
     const Stopwatch watch;
     audit::AuditedFile file{path, 0, {}};
-    file.audit = audit::audit_file(path, progress);
+    file.audit = audit::audit_file(input_file(path), progress);
     file.seconds = watch.seconds();
     return file;
 }

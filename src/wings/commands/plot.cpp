@@ -81,13 +81,16 @@ int run_plot(const Given& given) {
     return exit_done;
 }
 
-constexpr std::array staircase_picture_options = from_file("certificate over a range of mass ratios");
+constexpr std::array staircase_picture_options =
+    from_file("certificate over a range of mass ratios (-: the standard input)");
 constexpr std::array orbit_picture_options =
-    joined(from_file("mass ratio, or certificate"),
+    joined(from_file("mass ratio, or certificate (-: the standard input)"),
            std::array{Option{"--ratio", "RATIO", "the mass ratio to draw, of a certificate over a range"}});
-constexpr std::array phase_picture_options = from_file("certificate about initial conditions");
+constexpr std::array phase_picture_options =
+    from_file("certificate about initial conditions (-: the standard input)");
 
-constexpr std::array body_picture_options = from_file("certificate about a rectangle of bodies");
+constexpr std::array body_picture_options =
+    from_file("certificate about a rectangle of bodies (-: the standard input)");
 
 constexpr Command picture(std::string_view name, std::string_view text, std::span<const Option> options,
                           int (*run)(const Given&)) {

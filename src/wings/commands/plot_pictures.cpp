@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "cli/commands/verify.hpp"
+#include "cli/terminal/standard_input.hpp"
 #include "collisions/cell_reader.hpp"
 #include "collisions/certify.hpp"
 #include "collisions/reader.hpp"
@@ -130,7 +131,7 @@ Piece proved_piece(const Rational& q, Observer& observer) {
 }  // namespace
 
 std::string draw_staircase(const Given& given, Observer& observer) {
-    const std::string file = given.text("FILE");
+    const std::string file = input_file(given.text("FILE"));
     const auto certificate =
         certificate_for<Certificate>(file, "staircase", "dumbbell certify LO:HI --out FILE");
     if (certificate.system.rho) {
@@ -145,7 +146,7 @@ std::string draw_staircase(const Given& given, Observer& observer) {
 }
 
 std::string draw_orbit(const Given& given, Observer& observer) {
-    const std::string file = given.text("FILE");
+    const std::string file = input_file(given.text("FILE"));
     const std::string asked = given.text("--ratio");
     Piece piece;
     Rational q;
@@ -169,7 +170,7 @@ std::string draw_orbit(const Given& given, Observer& observer) {
 }
 
 std::string draw_phase(const Given& given, Observer& observer) {
-    const std::string file = given.text("FILE");
+    const std::string file = input_file(given.text("FILE"));
     const auto certificate = certificate_for<starts::Certificate>(
         file, "phase", "dumbbell trace RATIO ... --subdivide --out FILE");
     require_verified(file, certificate.sha256, observer);
@@ -177,7 +178,7 @@ std::string draw_phase(const Given& given, Observer& observer) {
 }
 
 std::string draw_bodies(const Given& given, Observer& observer) {
-    const std::string file = given.text("FILE");
+    const std::string file = input_file(given.text("FILE"));
     const collisions::CellFile read = collisions::read_cells(file);
     require_verified(file, read.sha256, observer, collisions::Section::body);
     return pictures::body_map_svg(read.cells);

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "cli/terminal/exit_code.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
+#include "cli/terminal/standard_input.hpp"
 #include "file/file_contents.hpp"
 #include "file/shipped.hpp"
 #include "page/data.hpp"
@@ -35,7 +38,9 @@ constexpr const char* report_footer =
     "Exit codes: 0 the page is written; 1 internal error; 2 wrong usage, or a file that cannot be read.";
 
 constexpr std::array report_options{
-    argument("FILE", "certificates of dumbbell certify and dumbbell trace").required().repeated(),
+    argument("FILE", "certificates of dumbbell certify and dumbbell trace (-: the standard input)")
+        .required()
+        .repeated(),
     Option{"--out", "FILE", "the HTML file to write; -: the standard output"}
         .checked(fault_of_name<Content::page>)
         .required(),
@@ -47,14 +52,17 @@ constexpr std::array report_options{
 int run_report(const Given& given) {
     const Output out(given.text("--out"), given.words("FILE"));
     const auto most_boxes = static_cast<std::size_t>(given.number("--max-boxes"));
-    const std::vector<std::string>& paths = given.words("FILE");
+    const std::vector<std::string>& names = given.words("FILE");
     Progress progress("", Verbosity::normal, "reading");
+    std::vector<std::string> paths;
+    std::ranges::transform(names, std::back_inserter(paths), input_file);
     page::require_few_pieces(paths);
     const auto verifier = given.has("--no-verifier") ? std::nullopt : verifier_for_pages();
     std::vector<page::ReportedFile> files;
     std::size_t boxes = 0;
-    for (const std::string& path : paths) {
-        files.push_back(page::read_reported(path, file_contents(path), verifier.has_value()));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        files.push_back(page::read_reported(paths[i], file_contents(paths[i]), verifier.has_value()));
+        files.back().path = names[i];
         boxes += page::leaves_of(files.back().content);
     }
     progress.enter("making the page", "");

@@ -30,6 +30,11 @@ Words with(Words words, const Words& more) {
     return words;
 }
 
+// With the file as standard input.
+Outcome fed(const std::string& file, const std::string& words, const std::string& folder = ".") {
+    return run({"sh", "-c", "cat '" + file + "' | exec " DUMBBELL_BIN " " + words}, folder);
+}
+
 }  // namespace
 
 TEST_CASE("an output that is an input is refused, whatever it is called", "[wings]") {
@@ -49,6 +54,8 @@ TEST_CASE("an output that is an input is refused, whatever it is called", "[wing
                Contains("which is read"));
     CHECK_THAT(refused_in(folder, {"report", certificate(folder, "10"), file, "--out", "hard.html"}),
                Contains("which is read"));
+    CHECK(run({"sh", "-c", "exec " DUMBBELL_BIN " plot staircase - --out hard.svg < hard.svg"}, folder.path())
+              .code == 2);
     CHECK(contents(file) == before);
 }
 
@@ -142,6 +149,31 @@ TEST_CASE("the output - has the data alone, and what is said goes to stderr", "[
     }
     CHECK(!fs::exists(folder / "-"));
     CHECK(!fs::exists(folder / "-.partial"));
+}
+
+TEST_CASE("the file - is the standard input, for each command that reads one", "[wings]") {
+    const TemporaryFolder folder;
+    const std::string stairs = certificate(folder, "1:20");
+    REQUIRE(dumbbell({"plot", "staircase", stairs, "--out", folder / "named.svg"}).code == 0);
+    const Outcome plotted = fed(stairs, "plot staircase - --out fed.svg", folder.path());
+    CAPTURE(plotted.err);
+    CHECK(plotted.code == 0);
+    CHECK(contents(folder / "fed.svg") == contents(folder / "named.svg"));
+    const Outcome audit = fed(stairs, "audit -");
+    CHECK(audit.code == 0);
+    CHECK_THAT(audit.out, StartsWith("-: tiles exactly"));
+    CHECK(fed(stairs, "report - --out page.html", folder.path()).code == 0);
+    CHECK_THAT(contents(folder / "page.html"), Contains(R"("verify_file":"-")"));
+    for (const char* command : {"audit -", "plot orbit - --out x.svg", "report - --out x.html"}) {
+        const Outcome nothing = fed("/dev/null", command, folder.path());
+        CAPTURE(command, nothing.err);
+        CHECK(nothing.code == 2);
+        CHECK(count_lines(nothing.err) == 1);
+        CHECK_THAT(nothing.err, Contains("'-'") && !Contains("/dev/stdin"));
+    }
+    const Outcome closed = run({"sh", "-c", "exec " DUMBBELL_BIN " audit - <&-"});
+    CHECK(closed.code == 2);
+    CHECK(closed.err == "dumbbell: cannot read the standard input: Bad file descriptor\n");
 }
 
 TEST_CASE("whatever could not be printed is no success, in every command", "[wings]") {

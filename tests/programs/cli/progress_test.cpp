@@ -119,6 +119,23 @@ TEST_CASE("a line appears by time, also while the first box, or the first piece 
     }
 }
 
+TEST_CASE("that a file is read is a phase of its own, in every command that reads one", "[wings]") {
+    const TemporaryFolder folder;
+    const std::string pipe = folder / "pipe", out = folder / "out";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);  // so that nobody's reading ends by itself
+    for (const Words& words : std::vector<Words>{{"audit", "-"},
+                                                 {"plot", "staircase", "-", "--out", out + ".svg"},
+                                                 {"report", "-", "--out", out + ".html"}}) {
+        Words job = with_program(words);
+        job.insert(job.end(), {"<", pipe});
+        const std::string text = seen_on_terminal(job, "reading");
+        CAPTURE(words, text);
+        CHECK(std::regex_search(text, std::regex(R"(reading, \d+ (s|min|h))")));
+    }
+    ::close(writer);
+}
+
 TEST_CASE("a terminal that is dumb, or of no known kind, gets no progress: it needs escape codes") {
     for (const Words& kind : {Words{"TERM=dumb"}, Words{"-u", "TERM"}}) {
         Words job{"env"};

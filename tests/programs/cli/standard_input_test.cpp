@@ -17,10 +17,10 @@ Outcome fed_by(const std::string& prepare, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("both programs wait for a standard input that says it has nothing yet") {
+TEST_CASE("both programs wait for a standard input that says it has nothing yet", "[wings]") {
     const std::string no_wait = "os.set_blocking(0, False)";
-    for (const std::string command :
-         {DUMBBELL_VERIFY_BIN " -", DUMBBELL_VERIFY_BIN " /dev/stdin", DUMBBELL_BIN " verify -"}) {
+    for (const std::string command : {DUMBBELL_VERIFY_BIN " -", DUMBBELL_VERIFY_BIN " /dev/stdin",
+                                      DUMBBELL_BIN " verify -", DUMBBELL_BIN " audit -"}) {
         CAPTURE(command);
         const Outcome result = fed_by(no_wait, command);
         CAPTURE(result.out, result.err);
