@@ -2,11 +2,33 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "words/printed.hpp"
 
 namespace dumbbell::collisions {
 
-using Orbit = std::vector<flight::Collision<Interval>>;
+using flight::Collision;
+
+namespace {
+
+using Orbit = std::vector<Collision<Interval>>;
+
+struct Column {
+    const char* name;
+    Interval Collision<Interval>::*member;
+};
+
+constexpr std::array<Column, 4> width_columns{{{"phi", &Collision<Interval>::phi},
+                                               {"y", &Collision<Interval>::y},
+                                               {"ydot after", &Collision<Interval>::ydot_after},
+                                               {"phidot after", &Collision<Interval>::phidot_after}}};
+
+std::string width_text(const Interval& x) { return x.lo() == x.hi() ? "0" : rounded_up(width(x)); }
+
+}  // namespace
 
 std::string collisions_text(const Orbit& orbit) {
     std::string text =
@@ -20,6 +42,33 @@ std::string collisions_text(const Orbit& orbit) {
                             enclosure_text(c.phidot_before), enclosure_text(c.phidot_after));
     }
     return text;
+}
+
+std::string widths_text(const Orbit& orbit) {
+    std::string text = fmt::format("{:>8}", "#");
+    for (const Column& column : width_columns) {
+        text += fmt::format(" {:>12}", column.name);
+    }
+    text += '\n';
+    const auto line = [&](std::size_t number) {
+        text += fmt::format("{:>8}", number);
+        for (const Column& column : width_columns) {
+            text += fmt::format(" {:>12}", width_text(orbit[number - 1].*column.member));
+        }
+        text += '\n';
+    };
+    for (std::size_t number = 1; number < orbit.size(); number *= 10) {
+        line(number);
+    }
+    line(orbit.size());
+    text += fmt::format("{:>8}", "widest");
+    for (const Column& column : width_columns) {
+        const auto widest = std::max_element(orbit.begin(), orbit.end(), [&](const auto& a, const auto& b) {
+            return width(a.*column.member) < width(b.*column.member);
+        });
+        text += fmt::format(" {:>12}", width_text((*widest).*column.member));
+    }
+    return text + '\n';
 }
 
 Json collisions_json(const Orbit& orbit) {

@@ -304,9 +304,10 @@ std::string orbits_to_text(const ProofReport& report) {
             "Witness at mass ratio {}: {} collisions. Rod length 1; phi in radians; y: height of the centre "
             "of mass;\n"
             "unit of time: phidot^2 + q (ydot / beta2)^2 = 1. Each number is enclosed: value+-radius.\n{}"
-            "Smallest margin (angle between flight and floor, in the kinetic metric): {} rad\n\n",
+            "Smallest margin (angle between flight and floor, in the kinetic metric): {} rad\n"
+            "Widths of the enclosures along the orbit:\n{}\n",
             exact_text(row.piece->q_lo), row.orbit.size(), collisions_text(row.orbit),
-            rounded_down(row.margin));
+            rounded_down(row.margin), widths_text(row.orbit));
         if (row.start) {
             text += fmt::format(
                 "A start in the air, near this orbit, that has {} as well; the command was run, and proves "

@@ -100,3 +100,22 @@ TEST_CASE("in JSON the orbit's enclosures are pairs of doubles, exactly the comp
         CHECK(second.at(field).at(0) <= second.at(field).at(1));
     }
 }
+
+TEST_CASE("the widths are listed at collisions 1, 10, 100 and the last, with the widest") {
+    std::vector<dumbbell::flight::Collision<Interval>> orbit(25,
+                                                             collision(false, Interval(0), Interval(1, 1.5)));
+    orbit[0].y = Interval(0, 0.24999);
+    orbit[3].phi = Interval(0, 4);
+    const std::string text = dumbbell::collisions::widths_text(orbit);
+    CAPTURE(text);
+    for (const char* number : {"1", "10", "25"}) {
+        const auto fields = fields_of_line(text, number);
+        REQUIRE(fields.size() == 5);
+        CHECK(std::stod(fields[1]) == Approx(0.5).epsilon(0.01));
+        CHECK(fields[2] == (std::string(number) == "1" ? "0.25" : "0"));
+    }
+    CHECK(fields_of_line(text, "4").empty());
+    const auto widest = fields_of_line(text, "widest");
+    REQUIRE(widest.size() == 5);
+    CHECK(std::stod(widest[1]) == Approx(4).epsilon(0.01));
+}

@@ -84,6 +84,13 @@ flight::Collision<TracedValue> shown(const Bounce<S>& b, int digits) {
             value(range(b.before.phidot)), value(range(b.after.phidot)), value(grazing_sine(b))};
 }
 
+template <class S>
+double greatest_width(const State<S>& s) {
+    const S scale = S(1) + s.body.rho;
+    return std::max({width(range(s.phi)), width(range(s.phidot)), width(range(s.yhat / scale)),
+                     width(range(s.yhatdot / scale))});
+}
+
 /// The number of collisions, if it is certain: of orbits that cannot be followed to the end, perhaps from
 /// their first contact on.
 template <class S, class I>
@@ -100,7 +107,7 @@ template <class S, class I>
 Trace described(const Followed<S>& followed, const State<I>& start, int bits, int digits,
                 const Interrupted& interrupted) {
     const LaterCount total = count(followed, start, interrupted);
-    Trace result{.collisions = {}, .least = total.least, .most = total.most, .bits = bits};
+    Trace result{.collisions = {}, .least = total.least, .most = total.most, .bits = bits, .widths = {}};
     for (const auto& b : followed.bounces) {
         if (interrupted()) {
             result.most.reset();
@@ -119,7 +126,16 @@ Trace trace_in(const Box& box, int bits, int digits, Observer& observer, const I
     const State<I> start = natural_state<I>(box);
     const BoxJets<I> jets(box);
     const auto correlated = follow(jets.state(), most_first_spans, observer, interrupted);
-    return described(correlated, start, bits, digits, interrupted);
+    Trace result = described(correlated, start, bits, digits, interrupted);
+    if (!box.is_point() && !correlated.bounces.empty()) {
+        const auto natural = follow(start, most_first_spans, nobody, interrupted);
+        const std::size_t last = correlated.bounces.size() - 1;
+        result.widths = TracedWidths{{}, greatest_width(correlated.bounces[last].after)};
+        if (natural.bounces.size() > last) {
+            result.widths->natural = greatest_width(natural.bounces[last].after);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -133,7 +149,7 @@ Trace trace(const Box& box, int digits, Observer& observer, const Interrupted& i
     const int bits = working_bits(digits);
     const auto event = exact_event(box);
     if (event && event->kind == Obstacle::graze) {
-        return {.collisions = {}, .least = 0, .most = 0, .bits = bits};
+        return {.collisions = {}, .least = 0, .most = 0, .bits = bits, .widths = {}};
     }
     if (digits == 0) {
         return trace_in<Interval>(box, bits, shown_digits, observer, interrupted);

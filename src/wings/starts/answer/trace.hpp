@@ -22,12 +22,19 @@ struct TracedValue {
     std::string hi;
 };
 
+/// The greatest width of phi, y and their velocities after a collision.
+struct TracedWidths {
+    std::optional<double> natural;  ///< nothing if plain intervals do not get as far
+    double correlated = 0;
+};
+
 struct Trace {
     std::vector<flight::Collision<TracedValue>>
         collisions;  ///< those that all orbits of the box share, until it splits
     long least = 0;
     std::optional<long> most;
     int bits = 53;
+    std::optional<TracedWidths> widths;  ///< after the last of `collisions`; none for a point
     std::optional<Obstacle> obstacle{};  ///< what is not excluded after them; none if the number is exact
 
     [[nodiscard]] bool exact() const { return most == least; }

@@ -248,6 +248,12 @@ std::string to_text(const TraceReport& report) {
                 ? exact_text(report.box.lo[4])
                 : exact_text(report.box.lo[4]) + " : " + exact_text(report.box.hi[4]));
         text += collisions_table(report);
+        if (const auto& widths = report.trace.widths; widths && !report.is_single()) {
+            text += fmt::format("Widths after the last of them: {:.3g} with correlations, {} without\n",
+                                widths->correlated,
+                                widths->natural ? fmt::format("{:.3g}", *widths->natural)
+                                                : std::string("plain intervals do not get as far"));
+        }
     }
     text += meaning_text(report) + verdict(report);
     if (report.out) {
@@ -285,6 +291,10 @@ Json to_json(const TraceReport& report) {
     for (const auto& c : trace.collisions) {
         collisions.add(collision_json(c, report.digits > 0));
     }
+    Json widths;
+    if (trace.widths && !report.is_single()) {
+        widths = Json::object({{"natural", trace.widths->natural}, {"correlated", trace.widths->correlated}});
+    }
     const bool by_theorem = rests_on_theorem(report);
     Json object = Json::object(
         {{"schema", "dumbbell-trace-1"},
@@ -299,6 +309,7 @@ Json to_json(const TraceReport& report) {
          {"splits_at", trace.exact() || report.incoming ? Json() : Json(trace.collisions.size() + 1)},
          {"bits", trace.bits},
          {"collisions", collisions},
+         {"widths", widths},
          {"parts", report.parts ? subdivision_json(report) : Json()},
          {"seconds", report.seconds},
          {"out", report.out},

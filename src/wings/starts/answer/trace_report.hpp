@@ -32,7 +32,7 @@ struct TraceReport {
     [[nodiscard]] bool is_single() const { return meaning.is_single || box.is_point(); }
 };
 
-/// The table of collisions, and the outcome in a sentence; the shares of a subdivision.
+/// The table of collisions, the widths, and the outcome in a sentence; the shares of a subdivision.
 [[nodiscard]] std::string to_text(const TraceReport& report);
 [[nodiscard]] Json to_json(const TraceReport& report);
 

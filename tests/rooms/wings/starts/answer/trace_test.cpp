@@ -96,6 +96,9 @@ TEST_CASE("Boxes that straddle phidot = 0 are followed") {
     const Trace traced = trace(box, 0);
     CHECK(traced.exact());
     CHECK(traced.least == 2);
+    REQUIRE(traced.widths);
+    REQUIRE(traced.widths->natural);
+    CHECK(traced.widths->correlated < *traced.widths->natural);
 }
 
 TEST_CASE("A box of mass ratios is followed") {
