@@ -66,7 +66,8 @@ class Prover {
 
     /// The best of the found orbits that can be enclosed; its value, or 0.
     double attain(bool height_error) {
-        const Search looked_for{of_, height_error, request_.jobs, request_.interrupted};
+        const Search looked_for{of_, height_error, request_.most_collisions, request_.jobs,
+                                request_.interrupted};
         for (const Sample& sample : search_errors(looked_for)) {
             if (const auto state = attained(looked_for, sample)) {
                 proof_.attained.push_back(*state);

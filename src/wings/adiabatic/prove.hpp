@@ -10,6 +10,7 @@ namespace dumbbell::adiabatic {
 struct Request {
     Hypotheses of;
     Rational accuracy = Rational(1, 10);  ///< relative, of a bound over the attained value
+    long most_collisions = 1'000'000;     ///< of the attained orbit of a run
     int jobs = 1;
     Interrupted interrupted = never;
     Observer* observer = &nobody;  ///< told of boxes that are judged

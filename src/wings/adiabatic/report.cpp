@@ -6,6 +6,7 @@
 #include "base/printable.hpp"
 #include "number/decimal.hpp"
 #include "words/printed.hpp"
+#include "words/text_table.hpp"
 
 namespace dumbbell::adiabatic {
 namespace {
@@ -126,8 +127,8 @@ std::string error_text(const Proof& proof, std::size_t i) {
     return text;
 }
 
-std::string result_text(const Report& report) {
-    const Proof& proof = report.proof;
+std::string result_text(const Report& report, const Result& result) {
+    const Proof& proof = result.proof;
     std::string text = hypotheses_text(proof.hypotheses) + '\n';
     for (std::size_t i = 0; i < units(proof.hypotheses).size(); ++i) {
         text += error_text(proof, i);
@@ -141,7 +142,25 @@ std::string result_text(const Report& report) {
             "was aimed at (--accuracy).\n",
             spelled(report.accuracy));
     }
-    return text + fmt::format("{} boxes, {:.1f} s\n", proof.leaves, report.seconds);
+    return text + fmt::format("{} boxes, {:.1f} s\n", proof.leaves, result.seconds);
+}
+
+std::string table_text(const Report& report) {
+    std::vector<TableLine> lines{{"distance", "error", "bound", "attained", "ratio", "boxes", "seconds"}};
+    for (const Result& result : report.results) {
+        const Proof& proof = result.proof;
+        const auto names = units(proof.hypotheses);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool bounded = i < proof.bounds.size(), found = i < proof.attained.size();
+            const std::string unit = unit_text(names[i]);
+            lines.push_back({margin_text(proof.hypotheses), names[i].error,
+                             bounded ? spelled(proof.bounds[i]) + unit : "-",
+                             found ? spelled(proof.attained[i].value) + unit : "-",
+                             bounded && found ? ratio_text(proof.bounds[i], proof.attained[i]) : "-",
+                             fmt::format("{}", proof.leaves), fmt::format("{:.1f}", result.seconds)});
+        }
+    }
+    return aligned(lines, 1);
 }
 
 Json state_json(const State& state) {
@@ -167,22 +186,51 @@ Json range_json(const std::pair<Rational, Rational>& range) {
     return Json::object({{"lo", to_fraction(range.first)}, {"hi", to_fraction(range.second)}});
 }
 
+Json result_json(const Result& result) {
+    const Proof& proof = result.proof;
+    const Hypotheses& of = proof.hypotheses;
+    const bool has_heights = of.claim == Claim::bounce || of.claim == Claim::run;
+    Json errors = Json::array();
+    const auto names = units(of);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        errors.add(error_json(proof, names[i], i));
+    }
+    return Json::object(
+        {{"claim", name(of.claim)},
+         {"delta", range_json(of.delta)},
+         {"y", has_heights ? range_json(of.heights) : Json()},
+         {"margin", to_fraction(of.margin)},
+         {"k", of.claim == Claim::bounce ? Json(to_fraction(Rational(of.exponent, 16))) : Json()},
+         {"errors", errors},
+         {"leaves", proof.leaves},
+         {"accurate", !proof.coarser},
+         {"seconds", result.seconds}});
+}
+
 }  // namespace
 
 std::string verdict(const Report& report) {
     std::string text;
-    const Proof& proof = report.proof;
-    for (std::size_t i = 0; i < units(proof.hypotheses).size(); ++i) {
-        text += fmt::format("{}, distance {}: {}\n", delta_text(proof.hypotheses),
-                            margin_text(proof.hypotheses), bound_text(proof, i));
+    for (const Result& result : report.results) {
+        const Proof& proof = result.proof;
+        for (std::size_t i = 0; i < units(proof.hypotheses).size(); ++i) {
+            text += fmt::format("{}, distance {}: {}\n", delta_text(proof.hypotheses),
+                                margin_text(proof.hypotheses), bound_text(proof, i));
+        }
     }
     return text;
 }
 
 std::string to_text(const Report& report) {
-    std::string text = result_text(report);
+    std::string text;
+    if (report.results.size() == 1) {
+        text = result_text(report, report.results.front());
+    } else {
+        std::string sentence = hypotheses_text(report.results.front().proof.hypotheses);
+        text = sentence + "\n(and the same for the other distances)\n" + table_text(report);
+    }
     if (report.out) {
-        const Proof& proof = report.proof;
+        const Proof& proof = report.results.front().proof;
         text += fmt::format("Certificate: {} (sha256 {})\nCheck it:    dumbbell verify {} {}\n",
                             one_line(*report.out), *report.sha256,
                             claim_options(proof.hypotheses, proof.bounds, proof.attained),
@@ -192,29 +240,16 @@ std::string to_text(const Report& report) {
 }
 
 Json to_json(const Report& report) {
-    const Proof& proof = report.proof;
-    const Hypotheses& of = proof.hypotheses;
-    const bool has_heights = of.claim == Claim::bounce || of.claim == Claim::run;
-    Json errors = Json::array();
-    const auto names = units(of);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        errors.add(error_json(proof, names[i], i));
+    Json results = Json::array();
+    for (const Result& result : report.results) {
+        results.add(result_json(result));
     }
-    return Json::object(
-        {{"schema", "dumbbell-adiabatic-1"},
-         {"theorem", report.theorem},
-         {"accuracy", to_fraction(report.accuracy)},
-         {"claim", name(of.claim)},
-         {"delta", range_json(of.delta)},
-         {"y", has_heights ? range_json(of.heights) : Json()},
-         {"margin", to_fraction(of.margin)},
-         {"k", of.claim == Claim::bounce ? Json(to_fraction(Rational(of.exponent, 16))) : Json()},
-         {"errors", errors},
-         {"leaves", proof.leaves},
-         {"accurate", !proof.coarser},
-         {"seconds", report.seconds},
-         {"out", report.out},
-         {"sha256", report.sha256}});
+    return Json::object({{"schema", "dumbbell-adiabatic-1"},
+                         {"theorem", report.theorem},
+                         {"accuracy", to_fraction(report.accuracy)},
+                         {"results", results},
+                         {"out", report.out},
+                         {"sha256", report.sha256}});
 }
 
 }  // namespace dumbbell::adiabatic

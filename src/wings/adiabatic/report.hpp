@@ -2,22 +2,30 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "adiabatic/prove.hpp"
 #include "words/json.hpp"
 
 namespace dumbbell::adiabatic {
 
-/// What `adiabatic` tells its user: one statement of the paper's section 3 with what was proved of it.
+/// One statement of the paper's section 3 with what was proved of it.
+struct Result {
+    Proof proof;
+    double seconds = 0;
+};
+
+/// What `adiabatic` tells its user.
 struct Report {
     std::string theorem;  ///< as on the command line
     Rational accuracy;
-    Proof proof{};
-    double seconds = 0;
-    std::optional<std::string> out{}, sha256{};
+    std::vector<Result> results;  ///< one for each distance from the vertical, or exponent
+    std::optional<std::string> out;
+    std::optional<std::string> sha256;
 };
 
-/// The hypotheses in words, the statement with its constants, and the orbits.
+/// The hypotheses in words, the statement with its constants, and the orbits; a table if there are several
+/// results.
 [[nodiscard]] std::string to_text(const Report& report);
 /// The constants alone, a line each.
 [[nodiscard]] std::string verdict(const Report& report);

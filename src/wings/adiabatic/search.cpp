@@ -94,7 +94,7 @@ void follow(const Search& search, const Domain& at, Sample& sample) {
     const double f0 = pi / 2 + std::asin(at.beta2 * std::sin(x));
     const double unit = run ? at.delta : std::sqrt(at.delta);
     double speed = 1;
-    for (long n = 0; n <= most_collisions; ++n) {
+    for (long n = 0; n <= search.most_collisions; ++n) {
         const double f = pi / 2 + std::asin(at.beta2 * std::sin(x));
         const Step next = step(x, kappa, at.r);
         if (run) {
@@ -147,7 +147,7 @@ Effort effort_for(const Search& search) {
     const double orbits = single ? 8e3 : 3e4;
     const double lo = search.of.delta.first.convert_to<double>();
     const double least = lo > 0 ? lo : search.of.delta.second.convert_to<double>() * least_share;
-    const double length = std::min(static_cast<double>(most_collisions), 1 / least);
+    const double length = std::min(static_cast<double>(search.most_collisions), 1 / least);
     const double thinner = std::clamp(std::sqrt(most_collisions_in_all / (orbits * length)), 1.0 / 6, 1.0);
     effort.coarse.u = static_cast<int>(effort.coarse.u * thinner);
     effort.coarse.s = static_cast<int>(effort.coarse.s * thinner);

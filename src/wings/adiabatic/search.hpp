@@ -12,8 +12,6 @@ namespace dumbbell::adiabatic {
 
 /// What a search may cost, about, whatever delta is: its orbits are the fewer the longer they are.
 inline constexpr double most_collisions_in_all = 2e8;
-/// Of one orbit.
-inline constexpr long most_collisions = 1'000'000;
 
 /// An initial condition as in State, delta as its share of the way from D1 to D2.
 struct Sample {
@@ -28,6 +26,7 @@ struct Sample {
 struct Search {
     Hypotheses of;
     bool height_error = false;  ///< of a bounce: E2, not E1
+    long most_collisions = 1'000'000;
     int jobs = 1;
     Interrupted interrupted = never;
 };

@@ -4,6 +4,7 @@
 
 #include "adiabatic/prove.hpp"
 #include "base/error.hpp"
+#include "base/fields.hpp"
 #include "number/decimal.hpp"
 #include "number/ratio_argument.hpp"
 #include "starts/given/argument.hpp"
@@ -12,15 +13,30 @@ namespace dumbbell::cli {
 
 namespace {
 
-/// Radians. A multiple of pi is irrational, and cut down to 12 digits: what is proved from there on holds.
-Rational parse_margin(const std::string& text) {
-    constexpr int bits = 128, digits = 12;
-    const auto [margin, end] = starts::parse_angles("--phi-margin", text);
-    if (!(margin == end)) {
-        throw InputError(fmt::format("--phi-margin takes a distance, no range: '{}'", shortened(text)));
+constexpr std::size_t most_statements = 100'000;
+
+std::vector<Rational> parse_list(const char* option, const std::string& text) {
+    std::vector<Rational> numbers;
+    for (const std::string_view part : split(text, ',')) {
+        numbers.push_back(parse_number(option, std::string(part)));
     }
-    const Rational least = starts::bounds(margin, bits).first;
-    return margin.is_rational() || least <= 0 ? least : parse_rational(to_text(cut_down(least, digits)));
+    return numbers;
+}
+
+/// Radians. A multiple of pi is irrational, and cut down to 12 digits: what is proved from there on holds.
+std::vector<Rational> parse_margins(const std::string& text) {
+    constexpr int bits = 128, digits = 12;
+    std::vector<Rational> margins;
+    for (const std::string_view part : split(text, ',')) {
+        const auto [margin, end] = starts::parse_angles("--phi-margin", std::string(part));
+        if (!(margin == end)) {
+            throw InputError(fmt::format("--phi-margin takes distances, no range: '{}'", shortened(part)));
+        }
+        const Rational least = starts::bounds(margin, bits).first;
+        margins.push_back(
+            margin.is_rational() || least <= 0 ? least : parse_rational(to_text(cut_down(least, digits))));
+    }
+    return margins;
 }
 
 int parse_exponent(const Rational& k) {
@@ -56,17 +72,30 @@ void require_applicable(const Given& given, adiabatic::Claim claim) {
 
 }  // namespace
 
-adiabatic::Hypotheses statement_of(const Given& given) {
+std::vector<adiabatic::Hypotheses> statements_of(const Given& given) {
     adiabatic::Hypotheses of;
     of.claim = claim_of(given.text("--theorem"));
     require_applicable(given, of.claim);
     of.delta = starts::parse_quantity("--delta", given.text("--delta"));
-    of.exponent = parse_exponent(parse_number("--k", text_or(given, "--k", "1/2")));
-    of.margin = parse_margin(text_or(given, "--phi-margin", default_margin(of.claim)));
+    const auto exponents = parse_list("--k", text_or(given, "--k", "1/2"));
+    const auto margins = parse_margins(text_or(given, "--phi-margin", default_margin(of.claim)));
+    // Each list fits on a command line, so the product fits a number.
+    if (exponents.size() * margins.size() > most_statements) {
+        throw InputError(
+            fmt::format("the lists make more than {} statements: take them in parts", most_statements));
+    }
     of.heights = starts::parse_quantity(
         "--y", text_or(given, "--y", of.claim == adiabatic::Claim::run ? "0:0.9" : "0:1"));
-    require_sensible(of);
-    return of;
+    std::vector<adiabatic::Hypotheses> result;
+    for (const Rational& k : exponents) {
+        of.exponent = parse_exponent(k);
+        for (const Rational& margin : margins) {
+            of.margin = margin;
+            require_sensible(of);
+            result.push_back(of);
+        }
+    }
+    return result;
 }
 
 Rational accuracy_of(const Given& given) {

@@ -75,14 +75,19 @@ TEST_CASE("Theorem 3.5 as printed is not true at delta = 0.01: an orbit, enclose
     CHECK(collisions.back().at("phidot_after").at(1) < 0);
 }
 
+TEST_CASE("several distances give a table", "[wings]") {
+    const Outcome result = dumbbell(adiabatic({"--delta", "0.2", "--phi-margin", "0.8,0.9"}));
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Contains("distance") && Contains("\n     0.9  |I_n - I_0|"));
+}
+
 TEST_CASE("a distance in degrees or as a multiple of pi is the one in radians, cut down", "[wings]") {
     const auto printed = [](const std::string& margin) {
         const Outcome result = dumbbell(adiabatic({"--delta", "0.2", "--phi-margin", margin, "--quiet"}));
         CHECK(result.code == 0);
         return result.out;
     };
-    CHECK(printed("54deg") == printed("0.942477796076"));
-    CHECK(printed("0.25pi") == printed("0.785398163397"));
+    CHECK(printed("54deg,0.25pi") == printed("0.942477796076,0.785398163397"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "0.3:0.4"}), Contains("no range"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "pi/"}), Contains("--phi-margin"));
 }
@@ -96,7 +101,8 @@ TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is
             refused({"adiabatic", "--theorem", theorem, "--delta", delta, "--out", "file.dbc"});
         }
     }
-    for (const char* option : {"--y", "--phi-margin", "--k", "--accuracy", "--budget", "--out"}) {
+    for (const char* option :
+         {"--y", "--phi-margin", "--k", "--bounces", "--accuracy", "--budget", "--out"}) {
         const char* theorem = std::string(option) == "--k" ? "cor3.2" : "thm3.3";
         CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--theorem", theorem, option, ""}),
                    Contains(option));
@@ -112,8 +118,13 @@ TEST_CASE("hypotheses that make no sense are refused in one line, and nothing is
                Contains("multiple of 1/16"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--theorem", "thm3.5", "--y", "0:1"}),
                Contains("--y is for"));
+    CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--theorem", "thm3.5", "--bounces", "1"}),
+               Contains("thm3.3 only"));
+    CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--bounces", "0"}), Contains("greater than 0"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--accuracy", "0"}), Contains("--accuracy"));
     CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--budget", "5"}), Contains("30s"));
+    CHECK_THAT(refused({"adiabatic", "--delta", "0.01", "--phi-margin", "0.3,0.5", "--out", "file.dbc"}),
+               Contains("one statement"));
     refused({"adiabatic"});
     refused({"adiabatic", "--delta", "0.01", "--theorem", "thm3.4"});
 }
@@ -126,4 +137,11 @@ TEST_CASE("a budget that is used up certifies nothing, says so, and writes nothi
     CHECK_THAT(result.err, Contains("not certified: the budget is used up; no certificate is written"));
     CHECK_THAT(result.out, Contains("no bound was certified") && !Contains("<= 1"));
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("the attained orbit has at most K/delta bounces", "[wings]") {
+    const Outcome result = dumbbell(adiabatic({"--delta", "0.01", "--bounces", "1/10", "--json"}));
+    REQUIRE(result.code == 0);
+    const auto json = nlohmann::ordered_json::parse(result.out);
+    CHECK(json.at("results").at(0).at("errors").at(0).at("attained").at("n") <= 10);
 }

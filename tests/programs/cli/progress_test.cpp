@@ -100,7 +100,8 @@ TEST_CASE("the phases of a long job are named, and what counts nothing says for 
              {{DUMBBELL_BIN, "trace", "1e8", "--phi", "1/3", "--phidot", "100", "--y", "3", "--ydot",
                "-1/200", "--digits", "10000"},
               "following the orbit: "},
-             {{DUMBBELL_BIN, "adiabatic", "--delta", "0:0.01", "--phi-margin", "0.1", "--jobs", "1"},
+             {{DUMBBELL_BIN, "adiabatic", "--delta", "0:0.01", "--phi-margin", "0.3,0.2,0.1,0.25,0.15",
+               "--jobs", "1"},
               "looking for an orbit with a great error, "}}) {
         const std::string text = seen_on_terminal(job, phase);
         CAPTURE(job, text);

@@ -33,7 +33,7 @@ def boxes(printed):
     if printed["schema"] == "dumbbell-certify-1":
         return sum(piece["leaves"] for piece in printed["pieces"])
     if printed["schema"] == "dumbbell-adiabatic-1":
-        return printed["leaves"]
+        return sum(result["leaves"] for result in printed["results"])
     if printed["schema"] == "dumbbell-trace-1" and printed["parts"]:
         return sum(part["boxes"] for part in printed["parts"]["exact"]) + printed["parts"]["undecided"]["boxes"]
     return None
