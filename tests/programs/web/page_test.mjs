@@ -100,7 +100,7 @@ onPage("a body is pointed at in the plane of all: it is proved, verified, and mo
     await tab.keyboard.press("ArrowDown");
     await proved("\u03c1 = 1, Q = 3.82", "N(Q) = 4");
     await click([80, 580]); // mass beyond the contacts
-    await tab.waitForFunction(() => document.querySelector(".pair .claim")?.textContent.startsWith("N(Q) = 2"));
+    await tab.waitForFunction(() => document.querySelector(".pair .claim")?.textContent.startsWith("N(Q) = 3"));
     await thing(tab).selectOption("coin");
     assert.equal(await tab.locator("#file-1 .claim").count(), 1);
 });
