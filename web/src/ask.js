@@ -1,4 +1,5 @@
 // A question to the prover, and certificates that come from elsewhere: each is verified and shown.
+import { Bodies } from "./bodies.js";
 import { parseReport } from "./counts.js";
 import { command, h, labelled, output, select } from "./dom.js";
 import { missing, prover, verifier } from "./modules/jobs.js";
@@ -19,9 +20,18 @@ const things = {
 const damaged = "The link is damaged: no whole certificate is in it. Was all of it copied?";
 
 export class Ask {
-    /// show(data) puts what the prover has read of a file into the page; show(element) what is said of another one.
-    constructor(show) {
-        this.show = show;
+    /// show(data) puts what the prover has read of a file into the page; show(element) what is said of another one. `picture`: of the plane of bodies, packed.
+    constructor(show, picture) {
+        this.picture = picture;
+        this.bodies = new Bodies((rho, inertia) => {
+            this.fields.rho.value = rho;
+            this.fields.inertia.value = inertia;
+            this.ask();
+        });
+        this.show = (what) => {
+            show(what);
+            this.bodies.take(what.files?.[0], document.getElementById("file-1"));
+        };
         this.thing = select(Object.entries(things).map(([id, { text }]) => [id, text]), "dumbbell", () => this.fit());
         const field = (value, size) => h("input", { type: "text", value, size, autocomplete: "off", spellcheck: "false" });
         const texts = { ratio: "mass ratio, or a range like 1:100", mass: "mass of the rod over that of both ends", rho: "\u03c1 = d2/d1, of the distances of the contacts from the centre of mass", inertia: "Q = (d1/k)\u00b2, k the radius of gyration" };
@@ -49,6 +59,8 @@ export class Ask {
         for (const [name, label] of Object.entries(this.labels)) {
             label.hidden = !things[this.thing.value].fields.includes(name);
         }
+        document.getElementById("file-1")?.prepend(...this.bodies.answer.childNodes); // to what else is shown of it
+        this.bodies.element.hidden = this.thing.value !== "body" || !this.bodies.picture;
     }
 
     /// What stands in the address, or else the first question.
@@ -60,6 +72,8 @@ export class Ask {
         }
         prover.start();
         verifier.start();
+        await this.bodies.draw(this.picture);
+        this.fit();
         const file = await linkedFile().catch(() => "damaged");
         if (file === "damaged") {
             this.say(damaged);

@@ -142,7 +142,7 @@ function witnesses(file, moves) {
         player.playOnce();
     }
     return h("figure", { class: "wide" }, h("div", { class: "controls" }, choice), player.element, about, h("figcaption", {},
-        `Left ${file.rho ? "the body" : "the dumbbell"}, right the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the ${file.rho ? "contacts" : "point masses"}.`));
+        `${file.rho ? "The body" : "The dumbbell"}, and the same motion as a point above the floor curve. No gravity; the uniform horizontal motion is left out, and the dots are larger than the ${file.rho ? "contacts" : "point masses"}.`));
 }
 
 const mostRows = 200;

@@ -52,10 +52,10 @@ function show(what) {
 }
 
 watchTheme();
-const ask = prover.isHere && new Ask(show);
+const ask = prover.isHere && new Ask(show, data.bodies);
 document.getElementById("page").replaceChildren(
     header(data),
-    ...(ask ? [ask.element] : []),
+    ...(ask ? [ask.element, ask.bodies.element] : []),
     shown,
     own.element,
     h("footer", {}, `dumbbell ${data.version}. Pictures and motions are drawn in double precision: they illustrate. What is proved, the verifier says. `, verifier.isHere ? `A verdict rests on its source, that of dumbbell-verify, on clang and emscripten, and on this browser. ${licences}` : ""),

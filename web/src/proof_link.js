@@ -6,6 +6,9 @@ const most = 8000; // characters of an address that programs hand on whole
 
 const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
 
+/// What base64 has, packed.
+export const unpacked = (base64, format) => through(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)), new DecompressionStream(format));
+
 /// The address of this page with the certificate in it, or null if that is too long.
 export async function linkOf(file) {
     const packed = new Uint8Array(await through(await file.arrayBuffer(), new CompressionStream("deflate-raw")));
@@ -20,7 +23,6 @@ export async function linkedFile() {
     if (!isLinked()) {
         return null;
     }
-    const bytes = atob(location.hash.slice(mark.length).replace(/-/g, "+").replace(/_/g, "/"));
-    const text = await through(Uint8Array.from(bytes, (c) => c.charCodeAt(0)), new DecompressionStream("deflate-raw"));
-    return new File([text], linked);
+    const base64 = location.hash.slice(mark.length).replace(/-/g, "+").replace(/_/g, "/");
+    return new File([await unpacked(base64, "deflate-raw")], linked);
 }

@@ -79,6 +79,32 @@ onPage("bodies have contacts, and look like what they are", async (tab) => {
     await ask(tab, "10", "N(Q) = 5");
 });
 
+onPage("a body is pointed at in the plane of all: it is proved, verified, and moves beside the picture", async (tab) => {
+    await thing(tab).selectOption("body");
+    const plane = tab.getByRole("slider", { name: /^The plane of bodies/ });
+    const proved = async (place, claim) => {
+        await tab.waitForFunction(([text, start]) => document.querySelector(".bodies").ariaValueText === text && document.querySelector(".pair .claim")?.textContent.startsWith(start) && document.querySelector(".outcome[data-outcome]"), [place, claim]);
+        assert.deepEqual(await tab.locator(".pair .badge").allTextContents(), ["verified here"]);
+    };
+    const click = async ([x, y]) => {
+        const scale = await plane.evaluate((field) => field.clientWidth / field.shadowRoot.querySelector("svg").viewBox.baseVal.width);
+        await plane.click({ position: { x: x * scale, y: y * scale } });
+    };
+    const coin = await plane.evaluate((field) => {
+        const { cx, cy } = [...field.shadowRoot.querySelectorAll("circle.body")].find((circle) => circle.nextElementSibling.textContent === "coin");
+        return [cx.baseVal.value, cy.baseVal.value];
+    });
+    await click(coin);
+    await proved("\u03c1 = 1, Q = 4", "N(Q) = 4");
+    assert.equal(await tab.locator(".pair .dumbbell ellipse").first().getAttribute("class"), "disc");
+    await tab.keyboard.press("ArrowDown");
+    await proved("\u03c1 = 1, Q = 3.82", "N(Q) = 4");
+    await click([80, 580]); // mass beyond the contacts
+    await tab.waitForFunction(() => document.querySelector(".pair .claim")?.textContent.startsWith("N(Q) = 3"));
+    await thing(tab).selectOption("coin");
+    assert.equal(await tab.locator("#file-1 .claim").count(), 1);
+});
+
 onPage("what the page does not decide, or does not understand, it says, with the command that does", async (tab) => {
     for (const [text, told, command] of [["1e10", /up to 10\^9/, "dumbbell certify 10000000000"], ["1:1e4", /up to 1:1000/, "dumbbell certify 1:10000 --gap 1e-6"], ["ten", /'ten' is not a number/, null], ["1e400", /beyond 10\^100/, null]]) {
         await ratio(tab).fill(text);
@@ -193,6 +219,7 @@ for (const width of [390, 1280]) {
         await tab.keyboard.type("1:100");
         await tab.keyboard.press("Enter");
         await tab.waitForFunction(() => document.querySelector(".claim").textContent.startsWith("N(q) goes") && document.querySelector(".outcome[data-outcome]"));
+        await thing(tab).selectOption("body"); // the plane, too
         await tab.evaluate(axe);
         for (const colorScheme of ["light", "dark"]) {
             await tab.emulateMedia({ colorScheme });
