@@ -26,6 +26,7 @@ constexpr double map_left = 64;
 constexpr double map_width = 684;  // the bodies at rho = 1 are named beside it
 constexpr double map_height = 560;
 
+constexpr int last_bright = 5;  // black can be read on its colour (count_colours.hpp); beyond, white
 constexpr Shade ink{"#1d2430", "#12161c"};  ///< on bright colours, on dark pages, too
 constexpr Shade beyond_edge{"#e8eaed", "#4a535d"};
 
@@ -119,7 +120,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 /// Names all areas: inside their greatest cells, off the curves, and again far from there; or beside the
 /// frame.
 void draw_numbers(Svg& svg, const Frame& frame, const std::vector<Cell>& cells,
-                  const std::vector<Count>& counts, const std::vector<Pixel>& curves) {
+                  const std::vector<Pixel>& curves) {
     struct Room {
         PixelRange of;
         Count count;
@@ -165,7 +166,7 @@ void draw_numbers(Svg& svg, const Frame& frame, const std::vector<Cell>& cells,
         if (room.size() >= least && is_free(room.count, at) && has_room(room.count, at)) {
             name(room.count, at, room.size() > roomy ? 7 : 4.5,
                  fmt::format("number{}{}", room.size() > roomy ? " roomy" : "",
-                             room.count > counts[counts.size() / 2] ? " on-dark" : ""));
+                             room.count > last_bright ? " on-dark" : ""));
         }
     }
     for (const auto& [count, side] : sides) {
@@ -221,7 +222,7 @@ std::string body_map_svg(const std::vector<Cell>& cells) {
     draw_areas(svg, frame, cells, counts);
     svg.path("massless", edge);
     svg.close();
-    draw_numbers(svg, frame, cells, counts, draw_rods(svg, frame));
+    draw_numbers(svg, frame, cells, draw_rods(svg, frame));
     for (const auto& [inertia, name] :
          {std::pair(1.0, "equal masses"), {2.0, "ring"}, {3.0, "uniform rod"}, {4.0, "coin"}}) {
         svg.circle("body", frame.right(), frame.y(inertia), 6);
