@@ -71,28 +71,28 @@ TEST_CASE("numbers that are no body's are refused, with what to do") {
     CHECK_THAT(refused_body({"--coin", "--witness"}), Contains("--witness prints orbits of the dumbbell"));
 }
 
-TEST_CASE("a range of bodies has parts, which join, and a missing one is named with its command") {
+TEST_CASE("a range of Q below 1 has parts, which join, and a missing one is named with its command") {
     const TemporaryFolder folder;
     const auto certify = [&](Words more) {
         Words words{"certify", "--rho", "1/2"};
         std::ranges::move(more, std::back_inserter(words));
         return dumbbell(words, folder.path());
     };
-    CHECK_THAT(certify({"--inertia", "2.4:2.6", "--part", "1/2", "--out", "1.dbc"}).out,
-               Contains("Part 1 of 2 of Q 2.4 : 2.6: those from 2.4 to 2.5.\n"));
-    const Words join{"join", "1.dbc", "--range", "2.4:2.6", "--out", "whole.dbc"};
+    CHECK_THAT(certify({"--inertia", "0.4:0.6", "--part", "1/2", "--out", "1.dbc"}).out,
+               Contains("Part 1 of 2 of Q 0.4 : 0.6: those from 0.4 to 0.5.\n"));
+    const Words join{"join", "1.dbc", "--range", "0.4:0.6", "--out", "whole.dbc"};
     CHECK_THAT(dumbbell(join, folder.path()).err,
-               Contains("missing: Q from 2.5 to 2.6; to make them: dumbbell certify --rho 0.5 --inertia "
-                        "2.5:2.6 --out missing-1.dbc\n"));
-    CHECK(certify({"--inertia", "2.5:2.6", "--out", "2.dbc"}).code == 0);
+               Contains("missing: Q from 0.5 to 0.6; to make them: dumbbell certify --rho 0.5 --inertia "
+                        "0.5:0.6 --out missing-1.dbc\n"));
+    CHECK(certify({"--inertia", "0.5:0.6", "--out", "2.dbc"}).code == 0);
     Words both = join;
     both.insert(both.begin() + 1, "2.dbc");
     CHECK(dumbbell(both, folder.path()).code == 0);
-    CHECK(verifier({"--rho", "1/2", "--inertia", "2.4:2.6", "--exactly", "3", folder / "whole.dbc"}).code ==
+    CHECK(verifier({"--rho", "1/2", "--inertia", "0.4:0.6", "--exactly", "3", folder / "whole.dbc"}).code ==
           0);
 }
 
-TEST_CASE("a list of Q has a folder of certificates, and parts of Q below 1 join") {
+TEST_CASE("a list of Q has a folder of certificates") {
     const TemporaryFolder folder;
     write_file(folder / "list", "1/2\n1/2:3\n100\n");
     const Outcome list =
@@ -101,15 +101,6 @@ TEST_CASE("a list of Q has a folder of certificates, and parts of Q below 1 join
     CHECK_THAT(list.out, Contains("1/2:3\t1/2\t0.5\t3/1\t3\t3\t3\t"));
     CHECK(verifier({"--claims", folder / "answers/claims.tsv"}).code == 0);
     CHECK(dumbbell({"certify", "--list", "list", "--coin"}, folder.path()).code == 2);
-    for (const char* part : {"1/2", "2/2"}) {
-        const std::string file = std::string(part, 1) + ".dbc";
-        CHECK(dumbbell({"certify", "--rho", "1/2", "--inertia", "1/2:9", "--part", part, "--out", file},
-                       folder.path())
-                  .code == 0);
-    }
-    CHECK(
-        dumbbell({"join", "1.dbc", "2.dbc", "--range", "1/2:9", "--out", "whole.dbc"}, folder.path()).code ==
-        0);
 }
 
 TEST_CASE("ranges of bodies are verified with their gaps, and where N leaps by 2 they say so") {
