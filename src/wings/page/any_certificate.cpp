@@ -11,7 +11,8 @@
 namespace dumbbell::page {
 
 AnyCertificate read_any_certificate(const NamedFile& file) {
-    const std::string claim = Lines(file).expect_head().claim;
+    const Head head = Lines(file).expect_head();
+    const std::string& claim = head.claim;
     if (claim == "initial-conditions" || claim == "incoming") {
         return starts::read_certificate(file);
     }
@@ -22,6 +23,12 @@ AnyCertificate read_any_certificate(const NamedFile& file) {
         throw InputError(
             fmt::format("'{}' is about the law for every mass ratio (dumbbell law): no page and no picture "
                         "shows that; dumbbell verify checks it",
+                        file.path));
+    }
+    if (head.section == "cells") {
+        throw InputError(
+            fmt::format("'{}' is about a rectangle of bodies: no page shows that; dumbbell plot "
+                        "body draws it, dumbbell verify checks it",
                         file.path));
     }
     return collisions::read_certificate(file);
