@@ -12,11 +12,11 @@ struct Cell {
     std::uint64_t line = 0;
     unsigned bits = 53;
     bool multiple = false;
-    Box box;                      ///< the last two sides: Q, rho
-    mpz_class upper, lower, j;    ///< U, V
-    mpq_class p;                  ///< of the orbit that shows V
-    std::vector<mpz_class> x;     ///< 0, those of the orbits that show U, and the end
-    std::vector<mpq_class> p_of;  ///< of these orbits
+    Box box;                                              ///< the last two sides: Q, rho
+    mpz_class upper, lower, j;                            ///< U, V
+    mpq_class p;                                          ///< of the orbit that shows V
+    mpz_class end;                                        ///< J is less
+    std::vector<std::pair<mpz_class, mpq_class>> orbits;  ///< that show U: x, p
 };
 
 template <class N>
@@ -42,14 +42,16 @@ class CellRule : Valley<N> {
     /// At Q = B.
     bool at_most_upper() {
         const mpq_class &R0 = cell_.box.lo[3], &R1 = cell_.box.hi[3], &B = cell_.box.hi[2];
-        const std::vector<mpz_class>& x = cell_.x;
-        const mpz_class half = (cell_.upper - 1) / 2, &end = x.back();
-        for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-            const mpz_class most = half + 1 - x[i + 1];  // a_i
-            if (!fact("x grows", x[i] < x[i + 1]) || !fact("0 <= a", most >= 0)) return false;
+        const auto& orbits = cell_.orbits;
+        const mpz_class half = (cell_.upper - 1) / 2, &end = cell_.end;
+        mpz_class x = 0;
+        for (std::size_t i = 0; i <= orbits.size(); ++i) {
+            const mpz_class &next = i < orbits.size() ? orbits[i].first : end, most = half + 1 - next;  // a_i
+            if (!fact("x grows", x < next) || !fact("0 <= a", most >= 0)) return false;
             if (!(i == 0 ? R0 == 1 || Base::at_most("k0 <= a", {rho0.lo, zero, r_top}, most)
-                         : orbit_at_most(x[i], cell_.p_of[i - 1], most)))
+                         : orbit_at_most(x, orbits[i - 1].second, most)))
                 return false;
+            x = next;
         }
         return fact("J < x at (R1, B)",
                     !may_have(2 * end + 1, R1, B) || Base::corner_hits_at_most(end - 1, rho1, r_top)) &&

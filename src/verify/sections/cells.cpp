@@ -67,13 +67,10 @@ class CellReader : public Reader<Cell> {
         cell.lower = text_.long_natural(2);
         cell.j = text_.long_natural(3);
         cell.p = text_.dyadic(4);
-        cell.x = {0};
-        cell.p_of.clear();
-        for (std::size_t i = 6; i < text_.fields.size(); i += 2) {
-            cell.x.push_back(text_.long_natural(i));
-            cell.p_of.push_back(text_.dyadic(i + 1));
-        }
-        cell.x.push_back(text_.long_natural(5));
+        cell.end = text_.long_natural(5);
+        cell.orbits.clear();
+        for (std::size_t i = 6; i < text_.fields.size(); i += 2)
+            cell.orbits.emplace_back(text_.long_natural(i), text_.dyadic(i + 1));
         if (cell.lower > cell.upper || cell.upper == 0) text_.reject("number", "not V <= U, 1 <= U");
         explain(cell, path);
         take(cell);

@@ -13,15 +13,10 @@ Box perpendicular_root(std::size_t /*chart*/, const mpq_class& a, const mpq_clas
 
 /// The witness is that of the least Q: greater ones have as many (L83).
 const char* check_perpendicular(const Leaf& leaf, Log* log) {
-    if (leaf.opcode == orbits) {
-        Cell cell{leaf.line, leaf.bits, leaf.multiple, leaf.box, leaf.claimed, 0, 0, 0, {0}, {}};
-        for (const auto& [x, p] : leaf.orbits) {
-            cell.x.push_back(x);
-            cell.p_of.push_back(p);
-        }
-        cell.x.push_back(leaf.a);
-        return judged<CellRule>(cell, log);
-    }
+    if (leaf.opcode == orbits)
+        return judged<CellRule>(
+            Cell{leaf.line, leaf.bits, leaf.multiple, leaf.box, leaf.claimed, 0, 0, 0, leaf.a, leaf.orbits},
+            log);
     Leaf least = leaf;
     least.box.hi[2] = least.box.lo[2];
     return body().check(least, log);

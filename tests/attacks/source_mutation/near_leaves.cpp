@@ -116,13 +116,11 @@ class Maker {
         cell.lower = std::max(0L, least.bound - room);
         cell.j = least.j;
         cell.p = mpq_class(least.p.raw());
-        for (long most = least.bound + room; cell.x.empty(); ++most) {
+        for (long most = least.bound + room; cell.end == 0; ++most) {
             if (const auto found = dumbbell::collisions::at_most(most, bodies)) {
                 cell.upper = most;
-                cell.x = {0};
-                for (const auto& [x, p] : found->orbits)
-                    cell.x.emplace_back(x), cell.p_of.emplace_back(p.raw());
-                cell.x.emplace_back(found->end);
+                cell.end = found->end;
+                for (const auto& [x, p] : found->orbits) cell.orbits.emplace_back(x, mpq_class(p.raw()));
             }
         }
         return cell;
@@ -205,9 +203,11 @@ class Maker {
             }
             for (const int sign : {-1, 1}) {
                 move(any, {&cell->p}, sign);
-                for (mpq_class& p : cell->p_of) move(any, {&p}, sign);
-                std::vector<mpz_class*> counts{&cell->upper, &cell->lower, &cell->j};
-                for (std::size_t i = 1; i < cell->x.size(); ++i) counts.push_back(&cell->x[i]);
+                std::vector<mpz_class*> counts{&cell->upper, &cell->lower, &cell->j, &cell->end};
+                for (auto& [x, p] : cell->orbits) {
+                    move(any, {&p}, sign);
+                    counts.push_back(&x);
+                }
                 for (mpz_class* count : counts) {
                     if (*count + sign < 0) continue;
                     *count += sign;

@@ -78,9 +78,8 @@ inline std::string words(const AnyLeaf& any) {
         out << "cell " << bits_of(*cell) << " " << cell->upper.get_str() << " " << cell->lower.get_str()
             << " " << cell->j.get_str() << " " << cell->p.get_str();
         box(cell->box, cell->box.lo.size());
-        for (std::size_t i = 0; i < cell->p_of.size(); ++i)
-            out << " " << cell->x[i + 1].get_str() << " " << cell->p_of[i].get_str();
-        out << " " << cell->x.back().get_str();
+        for (const auto& [x, p] : cell->orbits) out << " " << x.get_str() << " " << p.get_str();
+        out << " " << cell->end.get_str();
     } else {
         const auto& leaf = std::get<starts::Leaf>(any);
         out << "initial " << bits_of(leaf) << " " << leaf.least << " " << leaf.most;
@@ -126,8 +125,8 @@ inline AnyLeaf parsed(const std::string& text) {
         for (mpz_class* count : {&cell.upper, &cell.lower, &cell.j}) *count = mpz_class(word());
         cell.p = mpq_class(word());
         box(cell.box, cell.box.lo.size());
-        cell.x = {0, mpz_class(word())};
-        for (std::string p; in >> p; cell.x.emplace_back(word())) cell.p_of.emplace_back(p);
+        cell.end = mpz_class(word());
+        for (std::string p; in >> p; cell.end = mpz_class(word())) cell.orbits.emplace_back(cell.end, p);
         return cell;
     }
     if (first == "initial") {
