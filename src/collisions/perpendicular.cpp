@@ -47,11 +47,12 @@ Rational shortest(const Rational& p, bool above, const IsGood& is_good) {
 
 /// ceil(pi/corner); of more than most_in_corner a guess.
 long in_corner(const Rational& rho, const Rational& q) {
-    const long near = flight::corner_count(rho, q, most_in_corner);
+    if (const long near = flight::corner_count(rho, q, most_in_corner); near <= most_in_corner) {
+        return near;
+    }
     const double l = rho.convert_to<double>(), r = 1 / q.convert_to<double>(),
                  corner = std::atan2((1 + l) * std::sqrt(r), l - r);
-    return near <= most_in_corner ? near
-                                  : static_cast<long>(std::ceil(half_pi<Interval>().hi() * 2 / corner));
+    return static_cast<long>(std::ceil(half_pi<Interval>().hi() * 2 / corner));
 }
 
 /// A side of a rectangle: all rho, one Q.
@@ -104,7 +105,7 @@ class Edge {
     [[nodiscard]] std::pair<long, Rational> orbit_from_above(long j, long most) const {
         const auto misses = [&](const I& p) {
             const auto behind = interrupted_() ? std::nullopt : flight::outward_from_above(j, p, least_, r_);
-            return !behind || !flight::hits_bridge(*behind, least_);
+            return !behind || !flight::contact_from_above(*behind, least_);
         };
         const auto collisions = [&](const I& p) {
             const auto behind = flight::outward_from_below(j, p, greatest_, r_);
@@ -135,7 +136,7 @@ class Edge {
     }
     [[nodiscard]] bool passes(long j, const I& p, bool if_there_is_none = false) const {
         const auto behind = interrupted_() ? std::nullopt : flight::outward_from_below(j, p, greatest_, r_);
-        return behind ? flight::passes_bridge(*behind, greatest_) : if_there_is_none;
+        return behind ? !flight::contact_from_below(*behind, greatest_) : if_there_is_none;
     }
     [[nodiscard]] long count(const Ray<I>& highest) const {
         return as_long(count_at_least(highest, cap_, interrupted_));

@@ -19,7 +19,7 @@ I valley_wall(long i, const I& rho) {
 template <class I>
 std::optional<Ray<I>> outward_from_below(long j, const I& p, const I& rho, const I& r) {
     const I height = valley_wall(j, rho);
-    const auto from = lowest_contact(low_end(p / height), I(0));
+    const auto from = contact_from_below<I>({p, I(0), r}, height);
     if (!from) {
         return std::nullopt;
     }
@@ -33,11 +33,18 @@ std::optional<Ray<I>> outward_from_below(long j, const I& p, const I& rho, const
     return flight;
 }
 
+/// Behind the contacts of all flights below `flight` with a wall of that height, or a higher one; nothing if
+/// some may miss it.
+template <class I>
+std::optional<Contact<I>> contact_from_above(const Ray<I>& flight, const I& height) {
+    return highest_contact(high_end(flight.c / height), high_end(flight.kappa / height));
+}
+
 /// Takes the upper bound `flight` (thin; c, kappa >= 0) to a wall of that height, and back; false if it is
 /// not certain that all flights below it hit the wall and come back.
 template <class I>
 bool bounce_from_above(Ray<I>& flight, const I& height) {
-    const auto contact = highest_contact(high_end(flight.c / height), high_end(flight.kappa / height));
+    const auto contact = contact_from_above(flight, height);
     if (!contact) {
         return false;
     }
@@ -52,7 +59,7 @@ bool bounce_from_above(Ray<I>& flight, const I& height) {
 template <class I>
 std::optional<Ray<I>> outward_from_above(long j, const I& p, const I& rho, const I& r) {
     const I height = valley_wall(j, rho);
-    const auto from = highest_contact(high_end(p / height), I(0));
+    const auto from = contact_from_above<I>({p, I(0), r}, height);
     if (!from) {
         return std::nullopt;
     }
@@ -64,24 +71,6 @@ std::optional<Ray<I>> outward_from_above(long j, const I& p, const I& rho, const
         }
     }
     return flight;
-}
-
-/// Certain that all flights to the left below `highest` hit the bridge of this height, or a greater one; that
-/// all above `lowest` pass the bridge of this height, or a lesser one.
-template <class I>
-bool hits_bridge(const Ray<I>& highest, const I& rho) {
-    return highest_contact(high_end(highest.c / rho), high_end(highest.kappa / rho)).has_value();
-}
-template <class I>
-bool passes_bridge(const Ray<I>& lowest, const I& rho) {
-    const I kappa = low_end(lowest.kappa / rho);
-    return certainly_at_most(I(1), kappa) || !lowest_contact(low_end(lowest.c / rho), kappa);
-}
-
-/// A flight to the left, at the vertical of the corner of the light wall that it goes to.
-template <class I>
-Ray<I> over_bridge(const Ray<I>& flight) {
-    return {flight.c + flight.kappa * pi<I>(), flight.kappa, flight.r};
 }
 
 }  // namespace dumbbell::flight

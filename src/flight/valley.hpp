@@ -12,13 +12,25 @@ namespace dumbbell::flight {
 /// What a lower bound of flights does at the wall ahead.
 enum class Bounce { returns, leaves, misses, undecided };
 
+/// Before the contacts of all flights above `flight` with a wall of that height, or a lower one; nothing if
+/// they miss it.
+template <class I>
+std::optional<Contact<I>> contact_from_below(const Ray<I>& flight, const I& height) {
+    const I kappa = low_end(flight.kappa / height);
+    return certainly_at_most(I(1), kappa) ? std::nullopt : lowest_contact(low_end(flight.c / height), kappa);
+}
+
+/// A flight to the left, at the vertical of the corner of the light wall that it goes to.
+template <class I>
+Ray<I> over_bridge(const Ray<I>& flight) {
+    return {flight.c + flight.kappa * pi<I>(), flight.kappa, flight.r};
+}
+
 /// Takes the lower bound `flight` (thin; c >= 0, the slope of any sign) to the wall of height `height`, 1 for
 /// R and rho for the bridge, and back. leaves, misses: no flight above it comes back, or hits the wall.
 template <class I>
 Bounce bounce_from_below(Ray<I>& flight, const I& height) {
-    const I kappa = low_end(flight.kappa / height);
-    const auto contact =
-        certainly_at_most(I(1), kappa) ? std::nullopt : lowest_contact(low_end(flight.c / height), kappa);
+    const auto contact = contact_from_below(flight, height);
     if (!contact) {
         return Bounce::misses;
     }
@@ -66,7 +78,7 @@ long even_at_most(long hits, const I& rho, const I& r, long cap, const Interrupt
     if (last != Bounce::returns) {
         return last == Bounce::undecided ? cap + 1 : 0;
     }
-    return as_long(count_at_most<I>({low_end(pi<I>() * ray.kappa), ray.kappa, ray.r}, cap, interrupted));
+    return as_long(count_at_most(over_bridge(ray), cap, interrupted));
 }
 
 }  // namespace dumbbell::flight

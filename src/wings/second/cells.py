@@ -4,11 +4,11 @@ is bounded by its lower and its upper side."""
 from fractions import Fraction
 
 from body import MOST_IN_CORNER, corner_has
-from fixed import half_pi, interval, pi, set_precision, sin_cos, span
+from fixed import interval, pi, set_precision, sin_cos, span
 from judge import ends
-from rays import at_least, at_most, earliest, latest, slope_above
+from rays import at_least, at_most, latest, slope_above
 from tree import walk
-from valley import Valley
+from valley import Valley, contact_from_below
 from work import spend
 
 
@@ -22,17 +22,11 @@ def over_bridge(ray):
     return c + pi() * kappa, kappa
 
 
-def passes(ray, rho):
-    """Do all flights above the ray pass the bridge?"""
-    c, kappa = ((number / interval(rho)).lower() for number in ray)
-    return kappa >= 1 or earliest(c, kappa, half_pi()) is None
-
-
 def outward_from_below(j, p, rho, q):
     """At most Y_j(p), for this rho or lesser ones, this Q or lesser ones; None if it is not followed."""
     valley = Valley(rho, q)
     height = valley.walls[(j + 1) % 2]
-    x = earliest((interval(p) / height).lower(), interval(0), half_pi())
+    x = contact_from_below(height, interval(p), interval(0))
     if x is None:
         return None
     kappa = (valley.r / (height * sin_cos(x)[1]).upper()).lower()
@@ -107,7 +101,7 @@ def some_have(lower, j, p, rhos, q):
             return False
         ray, low = outward_from_above(j, p, rhos[0], q), outward_from_below(j, p, rhos[1], q)
         return (ray is not None and at_least(*over_bridge(ray), r, max(lower // 2 - j, 0)) and
-                low is not None and passes(low, rhos[1]))
+                low is not None and contact_from_below(interval(rhos[1]), *low) is None)
     if lower <= MOST_IN_CORNER and corner_has(lower, rhos[0], q):
         return True
     if lower % 2:

@@ -4,6 +4,12 @@ from fixed import Undecided, half_pi, interval, pi, point, sin_cos
 from rays import at_most, earliest, reflected
 
 
+def contact_from_below(height, c, kappa):
+    """A place before the contacts of all flights above (c, kappa) with a wall; None if they miss it."""
+    kappa = (kappa / height).lower()
+    return None if kappa >= 1 else earliest((c / height).lower(), kappa, half_pi())
+
+
 class Valley:
     """Lower bounds of flights between R and the right half of the bridge, at Q."""
 
@@ -14,8 +20,7 @@ class Valley:
     def bounce(self, wall, c, kappa):
         """Whether the wall may be hit, and the flight that comes back, or None if certainly none does."""
         height = self.walls[wall]
-        scaled = (kappa / height).lower()
-        x = None if scaled >= 1 else earliest((c / height).lower(), scaled, half_pi())
+        x = contact_from_below(height, c, kappa)
         if x is None:
             return False, None
         sine, cosine = sin_cos(x)
