@@ -77,14 +77,18 @@ Range parse_range(const char* option, const std::string& text) {
     return {lo, hi};
 }
 
+void require_rho(const Rational& rho) {
+    if (rho == 0 || rho > 1) {
+        throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
+    }
+}
+
 Claim claim_of_body(const std::string& rho, const std::string& inertia) {
     if (rho.find(':') != std::string::npos) {
         throw InputError("--rho is one number, not a range LO:HI");
     }
     const Rational height = parse_number("--rho", rho);
-    if (height == 0 || height > 1) {
-        throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
-    }
+    require_rho(height);
     return {.range = parse_range("--inertia", inertia), .system = {Section::body, height}};
 }
 

@@ -26,6 +26,8 @@ struct Claim {
 /// A number or LO:HI as a user writes it: no number of a body changes into its inverse. Throws InputError,
 /// which names the option.
 [[nodiscard]] Range parse_range(const char* option, const std::string& text);
+/// Throws InputError if no body has this rho, as a user writes it.
+void require_rho(const Rational& rho);
 /// Bodies with this rho, a number, and this inertia Q, a number or LO:HI, as a user writes them. Throws
 /// InputError, which names the option, if no body has them.
 [[nodiscard]] Claim claim_of_body(const std::string& rho, const std::string& inertia);

@@ -210,34 +210,37 @@ Json row_json(const ProofReport& report, const ReportRow& row) {
     return json;
 }
 
-/// What proves the upper bound: so many boxes, or a lemma that needs none.
-std::string boxes_text(const Cover& cover) {
-    return cover.equal_masses ? "by L7"
-           : cover.symmetric  ? "by L72"
-           : cover.orbits     ? "by L87"
-                              : fmt::format("{}", cover.leaves());
+/// The lemma that proves the upper bound without boxes; empty: boxes do.
+std::string_view lemma_of(const Cover& cover) {
+    return cover.equal_masses ? "L7" : cover.symmetric ? "L72" : cover.orbits ? "L87" : "";
 }
 
 std::string pieces_table(const ProofReport& report) {
-    const SectionRow& row = row_of(report);
-    std::vector<TableLine> lines{{ratio_word(report), "N", "boxes", "time"}};
-    for (const ReportRow& line : report.rows) {
-        const Piece& piece = *line.piece;
-        lines.push_back({range_text({piece.q_lo, piece.q_hi}), value_text(piece), boxes_text(piece.cover),
-                         fmt::format("{:.3f} s", line.seconds)});
+    const bool paper = row_of(report).has_paper_bound;
+    bool by_lemma = false;
+    std::vector<TableLine> lines;
+    const auto add = [&](TableLine line, const std::string& bound) {
+        if (paper) {
+            line.insert(line.begin() + 2, bound);
+        }
+        lines.push_back(std::move(line));
+    };
+    add({ratio_word(report), "N", "boxes", "time"}, "paper");
+    for (const ReportRow& row : report.rows) {
+        const Piece& piece = *row.piece;
+        const std::string_view lemma = lemma_of(piece.cover);
+        by_lemma = by_lemma || !lemma.empty();
+        add({range_text({piece.q_lo, piece.q_hi}), value_text(piece),
+             lemma.empty() ? fmt::format("{}", piece.cover.leaves()) : fmt::format("by {}", lemma),
+             fmt::format("{:.3f} s", row.seconds)},
+            paper_text(report, piece));
     }
-    for (std::size_t i = 0; row.has_paper_bound && i < lines.size(); ++i) {
-        lines[i].insert(lines[i].begin() + 2,
-                        i == 0 ? "paper" : paper_text(report, *report.rows[i - 1].piece));
-    }
-    const bool by_lemma =
-        !std::ranges::none_of(lines, [](const auto& line) { return line.rbegin()[1].starts_with("by "); });
     return aligned(lines, 0) +
            fmt::format(
                "{}N: the greatest number of collisions;{} boxes: the parts that together hold all "
                "motions, each with a reason{}.\n",
                report.claim.system.rho ? "Q: of the body (certify --help bodies); " : "",
-               row.has_paper_bound ? " paper: the bound of the source paper;" : "",
+               paper ? " paper: the bound of the source paper;" : "",
                by_lemma ? "; by L...: a lemma of proofs/ needs none" : "");
 }
 

@@ -50,9 +50,7 @@ Rectangle rectangle_of(const Given& given) {
     }
     Rectangle bodies{collisions::parse_range("--rho", given.text("--rho")),
                      collisions::parse_range("--inertia", given.text("--inertia"))};
-    if (bodies.rho.hi > 1) {
-        throw InputError("--rho is d2/d1 with d1 >= d2, so above 0 and at most 1: swap the ends");
-    }
+    collisions::require_rho(bodies.rho.hi);
     const auto reason =
         collisions::out_of_reach({.range = bodies.q, .system = {collisions::Section::body, bodies.rho.hi}});
     if (reason || !collisions::fits_a_line(bodies.rho)) {
